@@ -22,9 +22,8 @@ export function bench(node) {
 
   // A dial, a button of the figure's own, or Start again.
   function act({ dial, value, button, again }) {
-    const buttons = node.querySelectorAll('.live-buttons button');      // Play, Start again, its own
-    if (again) return buttons[1].click();
-    if (button !== undefined) return buttons[2 + button].click();
+    if (again) return [...node.querySelectorAll('button')].find(one => (one.ariaLabel ?? one.textContent) === 'Start again').click();
+    if (button !== undefined) return node.querySelectorAll('.live-own')[button].click();
     const inputs = node.querySelectorAll('.live-dial, .live-choice')[dial].querySelectorAll('input');
     if (inputs[0].type === 'radio') return inputs[value].click();
     inputs[0].value = value;

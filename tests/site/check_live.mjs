@@ -43,11 +43,33 @@ async function checkPage(file, names) {
     const { hash, wants, running } = await figure.evaluate(node => ({ ...node.dataset }));
     check(hash === wants, `${name} has the native hash ${wants}, not ${hash}`);
     check(running === '0' && await frames(figure) === 60, `${name} stands at frame 60 where motion is unwanted`);
+    await checkCode(figure, name);
     await checkDials(page, figure, name);
     await checkAgain(figure, name);
   }
   check(page.errors.length === 0, `${file} has no error in its console: ${page.errors[0]}`);
   await page.close();
+}
+
+// A figure that shows its code lights one line of it after the other, and none that
+// is not there.  (10 s are enough for all of them to come round.)
+async function checkCode(figure, name) {
+  const found = await figure.evaluate(async node => {
+    const code = node.querySelector('.live-code'), lit = new Set();
+    if (!code) return null;
+    for (let k = 0; k < 600; k++) {
+      node.live.tick(1);
+      const lines = code.querySelectorAll('[data-lit]');
+      if (lines.length > 1) return { lit: -1 };
+      if (lines.length) lit.add(lines[0].textContent);
+    }
+    const lost = code.dataset.lost;
+    node.live.act('begin');
+    return { lit: lit.size, lost };
+  });
+  if (!found) return;
+  check(!found.lost, `${name} has the line "${found.lost}" in its code`);
+  check(found.lit > 1, `${name} lights one line after the other: ${found.lit}`);
 }
 
 // All that is seen and computed, but for times, as one string.

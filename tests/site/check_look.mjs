@@ -53,6 +53,10 @@ for (const name of chapters) {
   });
   check(at < SCREENS, `${name} has a live figure within ${SCREENS} screens: it is at ${at.toFixed(1)}`);
   console.log(`${name.padEnd(22)} ${at.toFixed(1)} screens`);
+  // One idea each: what has no chart has one dial at most.
+  const many = await page.evaluate(() => [...document.querySelectorAll('.live-small')]
+    .filter(figure => figure.querySelectorAll('.live-dial, .live-choice').length > 1).map(figure => figure.id));
+  check(!many.length, `${name}: small figures have one dial at most: ${many}`);
   await page.close();
 }
 

@@ -19,6 +19,7 @@ define LIVES
 06/tree
 07/shares
 08/blow
+08/ruler
 09/room
 09/drape
 10/nearest
@@ -27,6 +28,7 @@ define LIVES
 12/strand
 12/thomas
 13/pile
+13/carry
 14/crowd
 14/prune
 15/bullet
@@ -42,7 +44,7 @@ WITH_gjk := rules/04-distance-1.o live/plane.o
 $(foreach f,epa shares nearest slab regions clip,$(eval WITH_$f := live/plane.o))
 WITH_drape := figures/runner.o tests/poses.o
 WITH_room := figures/runner.o tests/poses.o
-$(foreach f,pile fabric chain energy canopy,$(eval WITH_$f := live/live_world.o))
+$(foreach f,pile carry fabric chain energy canopy,$(eval WITH_$f := live/live_world.o))
 # The first program of the book runs on a module of the next chapter.
 FLOOR_bounce := 01
 

@@ -38,6 +38,7 @@ const chapters = names.filter(name => /^\d\d/.test(name) && +name.slice(0, 2) <=
 for (const name of names) {
   const html = readFileSync(`${site}/${name}`, 'utf8'), title = html.match(/<title>(.*)<\/title>/)?.[1] ?? '';
   const said = Object.fromEntries([...html.matchAll(/<meta (?:name|property)="([^"]*)" content="([^"]*)">/g)].map(found => found.slice(1)));
+  check(!html.includes('It moves in the pages that'), `${name} has each caption once`);
   check(title.length > 8, `${name} has a title: ${title}`);
   check(said.description?.length > 40, `${name} says what it is about: ${said.description}`);
   check(said['og:title'] && said['og:description'] === said.description, `${name} says so to whoever passes it on`);

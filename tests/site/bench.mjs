@@ -49,8 +49,8 @@ export function bench(node) {
   // Is there a shape within a pane, but for the handles?
   const isWithin = (one, box) => one.width + one.height > 2 && one.right > box.left &&
     one.left < box.right && one.bottom > box.top && one.top < box.bottom;
-  const showsShapes = () => [...node.querySelectorAll('.live-stage svg')].some(pane =>
-    [...pane.firstChild.children].some(shape => isWithin(shape.getBoundingClientRect(), pane.getBoundingClientRect())));
+  const showsShapes = () => [...node.querySelectorAll('.live-stage > svg')].some(pane =>
+    [...pane.querySelectorAll(':scope > g:not(.live-ghost) > :not(.live-handle)')].some(shape => isWithin(shape.getBoundingClientRect(), pane.getBoundingClientRect())));
 
   // Are there pixels of bodies?  Those of shadows are not solid.
   function showsBodies() {

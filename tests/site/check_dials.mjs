@@ -34,6 +34,7 @@ const stand = (dial, value) => `${dial.name} ${dial.choices ? dial.choices.split
 
 async function open(file, name) {
   const page = await browser.newPage({ viewport: { width: 1000, height: 800 } });
+  page.setDefaultTimeout(120e3);
   page.on('pageerror', error => fault(`${name}: an error: ${error.message}`));
   await page.goto(pathToFileURL(file).href);
   const figure = page.locator(`[data-live="${name}"]`);

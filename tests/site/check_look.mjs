@@ -24,6 +24,7 @@ function check(holds, sentence) {
 const browser = await launch(build);
 async function open(name, options) {
   const page = await browser.newPage(options);
+  page.setDefaultTimeout(WAIT.timeout);
   page.errors = [];
   page.on('console', said => said.type() === 'error' && page.errors.push(said.text()));
   page.on('pageerror', error => page.errors.push(error.message));

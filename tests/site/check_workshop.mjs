@@ -63,6 +63,7 @@ const browser = await launch(process.argv[2]);
 const host = await serve(site);
 async function open(address, options = {}, place = '[data-exercise]') {
   const page = await (await browser.newContext({ viewport: { width: 1300, height: 900 }, acceptDownloads: true, ...options })).newPage();
+  page.setDefaultTimeout(WAIT.timeout);
   page.errors = [];
   page.asked = [];
   page.on('console', said => said.type() === 'error' && page.errors.push(said.text()));

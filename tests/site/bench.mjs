@@ -20,8 +20,19 @@ export function bench(node) {
     return performance.now() - from + (x < 0);
   }
 
-  // A dial, a button of the figure's own, or Start again.
-  function act({ dial, value, button, again }) {
+  // One of the handles goes to a place of its pane: 0 to 1, from the left and from below.
+  function drag(any, x, y) {
+    const handles = node.querySelectorAll('.live-handle'), handle = handles[any % handles.length];
+    if (!handle) return;
+    const panes = [...node.querySelectorAll('.live-stage > svg')];
+    const [left, bottom, wide, high] = live.panel.panes[panes.indexOf(handle.closest('svg'))];
+    handle.inside(left + x * wide, bottom + y * high);
+    live.act('release', handle.number);
+  }
+
+  // A dial, a button of the figure's own, Start again, or a hand.
+  function act({ dial, value, button, again, ...hand }) {
+    if (hand.drag !== undefined) return drag(hand.drag, hand.x, hand.y);
     if (again) return [...node.querySelectorAll('button')].find(one => (one.ariaLabel ?? one.textContent) === 'Start again').click();
     if (button !== undefined) return node.querySelectorAll('.live-own')[button].click();
     const inputs = node.querySelectorAll('.live-dial, .live-choice')[dial].querySelectorAll('input');

@@ -15,6 +15,7 @@ const build = resolve(process.argv[2]), most = +(process.argv[3] ?? 2);
 const ids = process.argv.length > 4 ? process.argv.slice(4)
   : ['01-step', '02-stick', '03-rank', '04-nearest', '05-features', '06-ball', '07-separate', '08-lists', '09-scene', 'reader', 'little'];
 const site = `${build}/site`, WAIT = { timeout: 300e3 };
+const TRIES = 3;                // so often a busy machine may be late
 if (!existsSync(`${site}/write-01-step.html`)) { console.log('workshop: the site was made without it'); process.exit(0); }
 
 let checks = 0, faults = 0;
@@ -120,9 +121,16 @@ async function checkExercise(id, address) {
   const times = [];
   for (const [k, { number, what, source }] of wrong.entries()) {
     await put(page, source);
-    const out = await judged(page), here = gist(out.text ?? ''), there = gist(desk[k]);
-    times.push(out.ms);
-    check(JSON.stringify(here) === JSON.stringify(there), `${id}, wrong ${number} (${what}): the page says ${JSON.stringify(here)}, the desk ${JSON.stringify(there)}`);
+    // In the page time is the clock's: where others compute as well, what takes long
+    // may be taken for what does not end.
+    let here;
+    const there = JSON.stringify(gist(desk[k]));
+    for (let tries = 0; tries < TRIES && here !== there; tries++) {
+      const out = await judged(page);
+      here = JSON.stringify(gist(out.text ?? ''));
+      if (tries === 0) times.push(out.ms);
+    }
+    check(here === there, `${id}, wrong ${number} (${what}): the page says ${here}, the desk ${there}`);
   }
   check(page.errors.length === 0, `${id}: no error in the console: ${page.errors[0]}`);
   console.log(`${id}: first ${first.ms} ms, then ${second.ms} ms; ${wrong.length} wrong answers, median ${times.sort((a, b) => a - b)[times.length >> 1]} ms; ${address.replace(/:.*/, '')}`);

@@ -118,7 +118,9 @@ async function checkExercise(id, address) {
   check(second.told?.pass, `${id}: the book's answer passes: ${second.said.slice(0, 300)}`);
   if (await page.getByRole('button', { name: 'See it move' }).count()) await checkMotion(page, id);
   if (id === '01-step') await checkGhost(page, right);
-  const times = [];
+  // From here on there is no network, and none is asked for.
+  const asked = page.asked.length, times = [];
+  await page.context().setOffline(true);
   for (const [k, { number, what, source }] of wrong.entries()) {
     await put(page, source);
     // In the page time is the clock's: where others compute as well, what takes long
@@ -132,6 +134,8 @@ async function checkExercise(id, address) {
     }
     check(here === there, `${id}, wrong ${number} (${what}): the page says ${here}, the desk ${there}`);
   }
+  const later = page.asked.slice(asked).filter(url => !/^(blob|data):/.test(url));
+  check(!later.length, `${id}: once it has judged it asks for nothing: ${later[0]}`);
   check(page.errors.length === 0, `${id}: no error in the console: ${page.errors[0]}`);
   console.log(`${id}: first ${first.ms} ms, then ${second.ms} ms; ${wrong.length} wrong answers, median ${times.sort((a, b) => a - b)[times.length >> 1]} ms; ${address.replace(/:.*/, '')}`);
   await page.context().close();

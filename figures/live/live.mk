@@ -38,6 +38,7 @@ define LIVES
 18/energy
 18/canopy
 19/topple
+24/halves
 endef
 # What a figure takes from other folders, beside the library.
 WITH_gjk := rules/04-distance-1.o live/plane.o

@@ -145,10 +145,20 @@ function write_pages(    i, k, line) {
         }
         line = book[i]; gsub(/\]\(\.\.\//, "](../../", line)
         print line > page
+        if (is_picture(line)) print "\n" caption_under(line) > page
         if (from_page[i] == from_page[i + 1]) continue
         print "\n---\n\n" way(k - 1, " · ", "") "[Contents](../../README.md#read)" way(k + 1, "", " · ") > page
         close(page)
     }
+}
+# A picture alone, with no link in its words.
+function is_picture(line,    part) { return line ~ /^!\[.*\]\([^)]*\)$/ && split(line, part, /\]\(/) == 2 }
+# A forge shows a picture without its words: here they are, for the eyes.  (page.awk
+# leaves them out again.)
+function caption_under(image,    live) {
+    if (image ~ /figures\/live\/[a-z]*\.webp\)$/) live = " <em>It moves in the pages that `make site` makes.</em>"
+    sub(/^!\[/, "", image); sub(/\]\([^)]*\)$/, "", image)
+    return "<sub>" image live "</sub>"
 }
 function way(k, after, before) {
     return k in title ? before "[" title[k] "](" file_of[k] ")" after : ""

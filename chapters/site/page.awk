@@ -1,6 +1,7 @@
 # page.awk - rewrites a woven page into what pandoc reads: its own signs for
 # formulas; and the way to the pages before and after is left to the page.
 
+/^<sub>.*<\/sub>$/ { next }                      # a caption, which the picture has already
 /^<!-- Woven|^---$|\]\(\.\.\/\.\.\/README\.md#read\)/ { next }
 /^```math/ { formula = "$$"; next }
 formula != "" {                                 # one line: "+ b" is no list

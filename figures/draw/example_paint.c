@@ -24,14 +24,94 @@ static colour colour_of(const tumble_world *w, tumble_body b)
     return colour_hex(tone[(b.place + b.place / 6) % 6]);
 }
 
+// --- Which bodies are smooth? -----------------------------------------------
+// A corner of a triangle, and which; an edge of one, from the lower vertex on.
+typedef struct { vec3 at; int corner; } placed_corner;
+typedef struct { int from, to, face; } face_edge;
+
+static int sign_of(real x) { return (x > 0) - (x < 0); }
+
+static int by_place(const void *a, const void *b)
+{
+    const placed_corner *p = a, *q = b;
+    int order = sign_of(p->at.x - q->at.x);
+    if (!order) order = sign_of(p->at.y - q->at.y);
+    if (!order) order = sign_of(p->at.z - q->at.z);
+    return order ? order : p->corner - q->corner;
+}
+
+static int by_ends(const void *a, const void *b)
+{
+    const face_edge *p = a, *q = b;
+    if (p->from != q->from) return p->from - q->from;
+    return p->to != q->to ? p->to - q->to : p->face - q->face;
+}
+
+// Corners at one place become one vertex.  Returns how many there are.
+static int weld(sheet *s, placed_corner *sorted)
+{
+    int n = 0;
+    for (int k = 0; k < s->corners; k++)
+        sorted[k] = (placed_corner){ s->at[k], k };
+    qsort(sorted, (size_t)s->corners, sizeof *sorted, by_place);
+    for (int k = 0; k < s->corners; k++) {
+        if (k == 0 || vec3_distance(sorted[k].at, sorted[k - 1].at) > 0)
+            s->at[n++] = sorted[k].at;
+        s->face[sorted[k].corner] = n - 1;
+    }
+    return n;
+}
+
+static vec3 normal_of(const sheet *s, int f)
+{
+    const int *v = s->face + 3 * f;
+    return vec3_unit(vec3_cross(vec3_sub(s->at[v[1]], s->at[v[0]]),
+                                vec3_sub(s->at[v[2]], s->at[v[0]])));
+}
+
+// What has a rim is cloth.  What has none, and no edge that is sharp, is round.
+static bool is_smooth(const sheet *s, face_edge *edge, bool *is_cloth)
+{
+    const real sharp = 0.77;            // the cosine of 40 degrees
+    bool is_round = true;
+    for (int k = 0; k < s->corners; k++) {
+        int a = s->face[k], b = s->face[k % 3 == 2 ? k - 2 : k + 1];
+        edge[k] = (face_edge){ int_min(a, b), int_max(a, b), k / 3 };
+    }
+    qsort(edge, (size_t)s->corners, sizeof *edge, by_ends);
+    *is_cloth = false;
+    for (int k = 0; k < s->corners; k += 2) {
+        const face_edge *one = &edge[k], *two = one + 1;
+        if (k + 1 == s->corners || one->from != two->from
+            || one->to != two->to) return *is_cloth = true;
+        real bend = vec3_dot(normal_of(s, one->face), normal_of(s, two->face));
+        is_round = is_round && bend > sharp;
+    }
+    return is_round;
+}
+
+// (Vertices of a sharp body are its corners, which share no normal.)
 static void finish_body(sheet *s)
 {
-    colour c = colour_of(s->world, s->body);
-    painted_mesh m = { .vertices = s->corners, .at = s->at,
-                       .faces = s->corners / 3, .face = s->face,
-                       .front = { c, c }, .back = { c, c }, .casts = 1,
-                       .gloss = 0.2 };
-    if (s->corners > 0 && s->done.ok) s->done = painter_mesh(s->painter, &m);
+    size_t n = (size_t)s->corners;
+    placed_corner *sorted = malloc((n + 1) * sizeof *sorted);
+    face_edge *edge = malloc((n + 1) * sizeof *edge);
+    bool is_cloth = false;
+    if (!sorted || !edge) s->done = status_out_of_memory();
+    if (s->corners > 0 && s->done.ok) {
+        colour c = colour_of(s->world, s->body), inside = c;
+        painted_mesh m = { .vertices = weld(s, sorted), .at = s->at,
+                           .faces = s->corners / 3, .face = s->face,
+                           .casts = 1 };
+        m.smooth = is_smooth(s, edge, &is_cloth);
+        if (is_cloth) inside = colour_mix(c, colour_hex(0x202428), 0.15);
+        m.gloss = is_cloth ? 0.05 : 0.2;
+        m.front[0] = m.front[1] = c;
+        m.back[0] = m.back[1] = inside;
+        s->done = painter_mesh(s->painter, &m);
+    }
+    free(sorted);
+    free(edge);
     s->corners = 0;
 }
 

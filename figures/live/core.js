@@ -65,7 +65,8 @@ function read(core, at) {
   out.points = whole.subarray(next, next + CHARTS * LINES);
   next += CHARTS * LINES;
   out.said = text(bytes, 4 * next);
-  const double = (4 * next + 200) / 8, all = new Float64Array(buffer);
+  out.lit = text(bytes, 4 * next + 200);
+  const double = (4 * next + 280) / 8, all = new Float64Array(buffer);
   out.hit = all[double];
   out.value = (chart, line) => all[double + 1 + chart * LINES + line];
   const curve = double + 1 + CHARTS * LINES;

@@ -25,7 +25,7 @@ function choice(dial, turned) {
 
 export const makeDial = (dial, turned) => (dial.choices ? choice : slider)(dial, turned);
 
-export const button = (name, pressed) => make('button', { type: 'button', onclick: pressed }, name);
+export const button = (name, pressed, kind) => make('button', { type: 'button', class: kind, onclick: pressed }, name);
 
 // --- Small buttons on the stage: pictures with a name ---
 const PICTURES = {

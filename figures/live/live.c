@@ -54,7 +54,7 @@ static void clear_charts(void)
 
 void page_begin(void)
 {
-    page.said[0] = 0;
+    page.said[0] = page.lit[0] = 0;
     hand = -1;
     clear_charts();
     figure.begin();
@@ -106,6 +106,11 @@ void live_say(const char *format, ...)
     va_start(arguments, format);
     vsnprintf(page.said, sizeof page.said, format, arguments);
     va_end(arguments);
+}
+
+void live_light(const char *words)
+{
+    snprintf(page.lit, sizeof page.lit, "%s", words);
 }
 
 // --- Flat drawings --------------------------------------------------------------

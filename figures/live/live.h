@@ -58,6 +58,8 @@ typedef struct {
 typedef struct {
     const char *name;           // of the file
     const char *says;           // the drawing in a sentence, for a screen reader
+    const char *code;           // "lib/paper/gjk.c furthest": a file, and those of
+                                // its functions that are shown, with a line lit
     live_pane_plan   pane[LIVE_PANES];
     live_camera_plan camera;
     live_dial_plan   dial[LIVE_DIALS];
@@ -88,6 +90,9 @@ void live_value(int chart, int line, real value);
 void live_curve(int chart, int line, const real *value, int n);
 // The sentence below the drawing, as printf would write it.
 void live_say(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
+// The first line of the shown code that holds these words is lit from now on.
+void live_light(const char *words);
 
 // The hand that drags: a figure without move() of its own asks for it in step().
 // The number of what it holds; -1: nothing.

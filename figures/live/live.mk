@@ -9,32 +9,43 @@ define LIVES
 00b/spin
 01/orbit
 02/rope
+02/phase
+02/walk
 03/cube
 04/gjk
+04/support
+04/regions
 05/epa
 06/tree
 07/shares
 08/blow
+08/ruler
 09/room
 09/drape
 10/nearest
 11/slab
+11/clip
 12/strand
+12/thomas
 13/pile
+13/carry
 14/crowd
+14/prune
 15/bullet
+15/nearing
 16/fabric
 17/chain
 18/energy
 18/canopy
 19/topple
+24/halves
 endef
 # What a figure takes from other folders, beside the library.
 WITH_gjk := rules/04-distance-1.o live/plane.o
-$(foreach f,epa shares nearest slab,$(eval WITH_$f := live/plane.o))
+$(foreach f,epa shares nearest slab regions clip,$(eval WITH_$f := live/plane.o))
 WITH_drape := figures/runner.o tests/poses.o
 WITH_room := figures/runner.o tests/poses.o
-$(foreach f,pile fabric chain energy canopy,$(eval WITH_$f := live/live_world.o))
+$(foreach f,pile carry fabric chain energy canopy,$(eval WITH_$f := live/live_world.o))
 # The first program of the book runs on a module of the next chapter.
 FLOOR_bounce := 01
 

@@ -5,6 +5,7 @@
 #include "live_page.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 static unsigned long long hash_of_frame_60(void)
@@ -82,11 +83,61 @@ static void print_view(void)
            c->target.x, c->target.y, c->target.z, c->has_floor);
 }
 
+// A text of the code, between the quotes of JSON.
+static void print_quoted(const char *text)
+{
+    for (const char *c = text; *c && *c != '\n'; c++)
+        printf(*c == '"' || *c == '\\' ? "\\%c" : "%c", *c);
+}
+
+// Does the function begin on this line?  A promise of it ends with a semicolon.
+static bool begins_here(const char *line, const char *name)
+{
+    const char *at = strstr(line, name);
+    return at && at[strlen(name)] == '(' && (at[-1] == ' ' || at[-1] == '*')
+        && line[0] != ' ' && line[0] != '/' && !strchr(line, ';');
+}
+
+// The lines of a function, as they stand in the tree when the page is made, and
+// before the first of all where they are from.  Returns how many there are in all.
+static int print_function(const char *path, const char *name, int printed)
+{
+    char line[200];
+    FILE *file = fopen(path, "r");
+    bool is_inside = false, is_over = false;
+    for (int number = 1; file && !is_over && fgets(line, sizeof line, file); number++) {
+        is_inside = is_inside || begins_here(line, name);
+        if (!is_inside) continue;
+        if (!printed) printf("\"%s, line %d\"", path, number);
+        printf(",\"");
+        print_quoted(line);
+        printf("\"");
+        printed++;
+        is_over = line[0] == '}';
+    }
+    if (file) fclose(file);
+    if (is_over) return printed;
+    fprintf(stderr, "%s: there is no %s in %s\n", figure.name, name, path);
+    exit(1);
+}
+
+static void print_code(const char *place)
+{
+    char path[80], name[80];
+    int printed = 0, read = 0;
+    if (!place || sscanf(place, "%79s%n", path, &read) != 1) return;
+    printf("\"code\":[");
+    for (place += read; sscanf(place, "%79s%n", name, &read) == 1; place += read)
+        printed = print_function(path, name, printed);
+    printf("],");
+}
+
 static void print_panel(void)
 {
     printf("{");
     text("name", figure.name);
     text("says", figure.says);
+    print_code(figure.code);
     print_view();
     print_dials();
     print_charts();

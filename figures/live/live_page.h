@@ -34,6 +34,7 @@ typedef struct {
     int  *owner, owner_room;    // of each triangle: its number
     int   points[LIVE_CHARTS][LIVE_LINES];
     char  said[200];
+    char  lit[80];              // words of the line that is lit
     double hit;                 // how far along the ray what was picked lies
     double value[LIVE_CHARTS][LIVE_LINES];
     double curve[LIVE_CHARTS][LIVE_LINES][LIVE_CURVE];

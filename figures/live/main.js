@@ -1,7 +1,8 @@
 // main.js - makes the live figures of a page: <figure data-live="orbit"> gets a
 // stage, dials, charts and a foot line; its WebAssembly comes when it is near.  Of
 // <figure data-small="orbit" data-dial="0"> there is the stage, its buttons, and at
-// most that dial; with data-first it moves as soon as it can.
+// most that dial; with data-first it moves as soon as it can.  One without charts is
+// small as well, has its one dial, and may have the code that it runs, a line lit.
 
 import style from './live.css';
 import { make, dark } from './node.js';
@@ -10,6 +11,7 @@ import { makeLoop, still } from './loop.js';
 import { makeDial, button, tool } from './dials.js';
 import { Chart } from './chart.js';
 import { Flat } from './flat.js';
+import { Code } from './code.js';
 
 const FRAMES = 60;              // after which the hash is shown
 const NEAR = '700px';           // so far below the window a figure is made ready
@@ -34,7 +36,7 @@ class Figure {
     this.usual = this.variant = panel.dials[0]?.choices ? panel.dials[0].value : 0;
     node.classList.add('live-figure');
     this.name = panel.name;
-    this.isSmall = 'small' in node.dataset;
+    this.isSmall = 'small' in node.dataset || !panel.charts.length;
     node.classList.toggle('live-small', this.isSmall);
     this.stage = make('div', { class: 'live-stage' });
     const picture = node.querySelector('img');
@@ -50,7 +52,7 @@ class Figure {
   furnish() {
     const { panel } = this;
     const again = () => this.act('begin');
-    const more = panel.buttons.map((name, k) => button(name, () => this.act('press', k)));
+    const more = panel.buttons.map((name, k) => button(name, () => this.act('press', k), 'live-own'));
     const dials = panel.dials.map((dial, k) => makeDial(dial, value => this.turn(k, value)));
     this.charts = this.isSmall ? [] : panel.charts.map(plan => new Chart(this.node, plan));
     this.said = make('p', { class: 'live-said' });
@@ -58,9 +60,12 @@ class Figure {
     this.tools = this.makeTools(again);
     this.stage.append(this.tools);
     if (this.isSmall) {
-      const dial = dials[this.node.dataset.dial];
+      const dial = 'small' in this.node.dataset ? dials[this.node.dataset.dial] : dials[0];
       this.play = this.tools.firstChild;
-      if (dial || more.length) this.stage.after(make('div', { class: 'live-one' }, ...(dial ? [dial] : []), ...more));
+      this.code = 'live' in this.node.dataset && panel.code && new Code(panel.code);
+      const under = [dial || more.length ? make('div', { class: 'live-one' }, ...(dial ? [dial] : []), ...more) : '',
+        'live' in this.node.dataset ? this.said : '', this.code ? this.code.node : ''];
+      this.stage.after(...under.filter(Boolean));
     } else {
       this.play = button('Pause', () => this.loop.play(!this.loop.playing));
       this.play.rename = name => { this.play.textContent = name; };
@@ -187,6 +192,7 @@ class Figure {
     if (!lists) return;
     this.drawing.draw(lists, this.ghost?.draw());
     if (this.said.textContent !== lists.said) this.said.textContent = lists.said;
+    if (this.code) this.code.light(lists.lit);
     for (const chart of this.charts) chart.draw();
   }
 
@@ -325,7 +331,7 @@ function begin() {
     }
     await pause(CALM);
     // A module that does not return says so where it is seen.
-    for (const node of figures) if (!node.live.isSmall) await node.live.prove().catch(() => {});
+    for (const node of figures) if (!('small' in node.dataset)) await node.live.prove().catch(() => {});
   };
   if (document.readyState === 'complete') watch(); else addEventListener('load', watch);
 }

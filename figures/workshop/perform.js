@@ -7,7 +7,8 @@ import { load, start, whatStopped, places, placed } from './judge.js';
 export async function perform(wasm, seconds, draws) {
   const program = await load(wasm), host = await start(program, {});
   const began = performance.now(), out = {};
-  host.until = began + 1e3 * seconds;
+  host.slice = Infinity;        // who looks on has the clock on the wall
+  host.watch(seconds);
   host.most = draws ? 1e8 : 1e6;
   try { host.x.page_begin(draws ? 1 : 0); } catch (error) {
     const stopped = { ...whatStopped(error, seconds), places: places(program, error) }, place = placed(stopped, '');

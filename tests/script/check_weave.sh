@@ -57,6 +57,12 @@ all() {
     verdict "each chapter is a page" yes || verdict "each chapter is a page" no
     if grep -q '//[<>]' book.md; then verdict "markers are not shown" no; else verdict "markers are not shown" yes; fi
 
+    # Under a picture that stands alone its words stand on the page, and not in the book.
+    sound; printf '\n![One of *two*.](../figures/p.png)\n\n![See it.](../figures/live/p.webp)\n' >> chapters/01-a.md
+    rm -rf pages; mkdir pages; pages=pages weave > book.md 2> said
+    grep -qxF '<sub>One of *two*.</sub>' pages/01-a.md && grep -qxF '<sub>See it. <em>It moves in the pages that `make site` makes.</em></sub>' pages/01-a.md &&
+    ! grep -q '<sub>' pages/02-b.md book.md && verdict "a picture has its words under it" yes || verdict "a picture has its words under it" no
+
     # What came later stands between two chapters, with a letter.
     sound; mkdir -p figures/01b
     printf '# n cost\n1 0.5\n' > figures/01b/01b-n.csv

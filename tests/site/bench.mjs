@@ -20,11 +20,21 @@ export function bench(node) {
     return performance.now() - from + (x < 0);
   }
 
-  // A dial, a button of the figure's own, or Start again.
-  function act({ dial, value, button, again }) {
-    const buttons = node.querySelectorAll('.live-buttons button');      // Play, Start again, its own
-    if (again) return buttons[1].click();
-    if (button !== undefined) return buttons[2 + button].click();
+  // One of the handles goes to a place of its pane: 0 to 1, from the left and from below.
+  function drag(any, x, y) {
+    const handles = node.querySelectorAll('.live-handle'), handle = handles[any % handles.length];
+    if (!handle) return;
+    const panes = [...node.querySelectorAll('.live-stage > svg')];
+    const [left, bottom, wide, high] = live.panel.panes[panes.indexOf(handle.closest('svg'))];
+    handle.inside(left + x * wide, bottom + y * high);
+    live.act('release', handle.number);
+  }
+
+  // A dial, a button of the figure's own, Start again, or a hand.
+  function act({ dial, value, button, again, ...hand }) {
+    if (hand.drag !== undefined) return drag(hand.drag, hand.x, hand.y);
+    if (again) return [...node.querySelectorAll('button')].find(one => (one.ariaLabel ?? one.textContent) === 'Start again').click();
+    if (button !== undefined) return node.querySelectorAll('.live-own')[button].click();
     const inputs = node.querySelectorAll('.live-dial, .live-choice')[dial].querySelectorAll('input');
     if (inputs[0].type === 'radio') return inputs[value].click();
     inputs[0].value = value;
@@ -50,8 +60,8 @@ export function bench(node) {
   // Is there a shape within a pane, but for the handles?
   const isWithin = (one, box) => one.width + one.height > 2 && one.right > box.left &&
     one.left < box.right && one.bottom > box.top && one.top < box.bottom;
-  const showsShapes = () => [...node.querySelectorAll('.live-stage svg')].some(pane =>
-    [...pane.firstChild.children].some(shape => isWithin(shape.getBoundingClientRect(), pane.getBoundingClientRect())));
+  const showsShapes = () => [...node.querySelectorAll('.live-stage > svg')].some(pane =>
+    [...pane.querySelectorAll(':scope > g:not(.live-ghost) > :not(.live-handle)')].some(shape => isWithin(shape.getBoundingClientRect(), pane.getBoundingClientRect())));
 
   // Are there pixels of bodies?  Those of shadows are not solid.
   function showsBodies() {

@@ -1,6 +1,6 @@
 // check_dials.mjs - does each live figure bear whatever its dials are turned to?
 // All corners: every dial at its least and its greatest, or at each of its choices;
-// then a random walk over dials and buttons.  Nothing may stop, no number be NaN or
+// then a random walk over dials, buttons and what is dragged.  Nothing may stop, no number be NaN or
 // infinite, no frame take seconds, no picture be empty:
 //     node check_dials.mjs BUILD [SEED [FIGURE...]]
 
@@ -34,6 +34,7 @@ const stand = (dial, value) => `${dial.name} ${dial.choices ? dial.choices.split
 
 async function open(file, name) {
   const page = await browser.newPage({ viewport: { width: 1000, height: 800 } });
+  page.setDefaultTimeout(120e3);
   page.on('pageerror', error => fault(`${name}: an error: ${error.message}`));
   await page.goto(pathToFileURL(file).href);
   const figure = page.locator(`[data-live="${name}"]`);
@@ -79,16 +80,20 @@ function dice(x) {
 }
 
 // The walk of a figure depends on the seed and on its name alone.
-async function checkWalk(figure, file, name, { dials, buttons }) {
+async function checkWalk(figure, file, name, { dials, buttons, panes }) {
   const roll = dice([...name].reduce((hash, letter) => 31 * hash + letter.charCodeAt() | 0, seed | 0));
   const any = n => Math.floor(roll() * n);
   const moves = Array.from({ length: TURNS }, () => {
-    const frames = any(MOST + 1), dial = any(dials.length), { least, most, step } = dials[dial];
-    const value = least + step * any(Math.round((most - least) / step) + 1);
-    return buttons.length && any(4) === 0 ? { button: any(buttons.length), frames } : { dial, value, frames };
+    const frames = any(MOST + 1);
+    if (panes.length && any(4) === 0) return { drag: any(2 ** 16), x: roll(), y: roll(), frames };
+    if (buttons.length && any(4) === 0) return { button: any(buttons.length), frames };
+    if (!dials.length) return { again: true, frames };
+    const dial = any(dials.length), { least, most, step } = dials[dial];
+    return { dial, value: least + step * any(Math.round((most - least) / step) + 1), frames };
   });
-  const what = k => `turn ${k + 1} with the seed ${seed}, ` +
-    (moves[k].button === undefined ? stand(dials[moves[k].dial], moves[k].value) : buttons[moves[k].button]);
+  const told = ({ dial, value, button, drag, x, y }) => drag !== undefined ? `dragged to ${x.toFixed(2)}, ${y.toFixed(2)} of its pane`
+    : button !== undefined ? buttons[button] : dial !== undefined ? stand(dials[dial], value) : 'begun again';
+  const what = k => `turn ${k + 1} with the seed ${seed}, ${told(moves[k])}`;
   sum.turns += TURNS;
   return run(figure, file, name, moves, what);
 }

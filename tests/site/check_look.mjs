@@ -24,6 +24,7 @@ function check(holds, sentence) {
 const browser = await launch(build);
 async function open(name, options) {
   const page = await browser.newPage(options);
+  page.setDefaultTimeout(WAIT.timeout);
   page.errors = [];
   page.on('console', said => said.type() === 'error' && page.errors.push(said.text()));
   page.on('pageerror', error => page.errors.push(error.message));
@@ -38,6 +39,7 @@ const chapters = names.filter(name => /^\d\d/.test(name) && +name.slice(0, 2) <=
 for (const name of names) {
   const html = readFileSync(`${site}/${name}`, 'utf8'), title = html.match(/<title>(.*)<\/title>/)?.[1] ?? '';
   const said = Object.fromEntries([...html.matchAll(/<meta (?:name|property)="([^"]*)" content="([^"]*)">/g)].map(found => found.slice(1)));
+  check(!html.includes('It moves in the pages that'), `${name} has each caption once`);
   check(title.length > 8, `${name} has a title: ${title}`);
   check(said.description?.length > 40, `${name} says what it is about: ${said.description}`);
   check(said['og:title'] && said['og:description'] === said.description, `${name} says so to whoever passes it on`);
@@ -53,6 +55,10 @@ for (const name of chapters) {
   });
   check(at < SCREENS, `${name} has a live figure within ${SCREENS} screens: it is at ${at.toFixed(1)}`);
   console.log(`${name.padEnd(22)} ${at.toFixed(1)} screens`);
+  // One idea each: what has no chart has one dial at most.
+  const many = await page.evaluate(() => [...document.querySelectorAll('.live-small')]
+    .filter(figure => figure.querySelectorAll('.live-dial, .live-choice').length > 1).map(figure => figure.id));
+  check(!many.length, `${name}: small figures have one dial at most: ${many}`);
   await page.close();
 }
 

@@ -24,7 +24,7 @@ const TRIPS = 2 * NETWORK.latency / 1e3;            // s
 // What this network brings in two seconds, but for the two round trips.
 const BYTES = (2 - TRIPS) * NETWORK.downloadThroughput;
 const TYPE = 12;                                    // pixels, at least
-const WAIT = 60e3;                                  // ms for a live figure's frame 60
+const WAIT = 180e3;                                 // ms for a live figure's frame 60, and all else
 
 let faults = 0;
 const fault = (page, sentence) => { faults++; console.log(`${page}: ${sentence}`); };
@@ -32,6 +32,7 @@ const fault = (page, sentence) => { faults++; console.log(`${page}: ${sentence}`
 // A page that tells of errors, and of what it asks of other machines.
 async function open(context, name) {
   const page = await context.newPage();
+  page.setDefaultTimeout(WAIT);
   page.on('console', said => said.type() === 'error' && fault(name, `the console says: ${said.text()}`));
   page.on('pageerror', error => fault(name, `an error: ${error.message}`));
   page.on('request', request => {
@@ -135,7 +136,7 @@ async function checkLive(page, name) {
     // out of view: a reader goes on scrolling.
     let hash;
     for (const end = Date.now() + WAIT; !hash && Date.now() < end;) {
-      await figure.scrollIntoViewIfNeeded();
+      await figure.evaluate(node => node.scrollIntoView({ block: 'center' }));
       await page.waitForTimeout(100);
       hash = await figure.evaluate(({ dataset }) => dataset.trapped || dataset.ready && dataset.hash);
     }

@@ -15,6 +15,7 @@ const build = resolve(process.argv[2]), most = +(process.argv[3] ?? 2);
 const ids = process.argv.length > 4 ? process.argv.slice(4)
   : ['01-step', '02-stick', '03-rank', '04-nearest', '05-features', '06-ball', '07-separate', '08-lists', '09-scene', 'reader', 'little'];
 const site = `${build}/site`, WAIT = { timeout: 300e3 };
+const TRIES = 3;                // so often a busy machine may be late
 if (!existsSync(`${site}/write-01-step.html`)) { console.log('workshop: the site was made without it'); process.exit(0); }
 
 let checks = 0, faults = 0;
@@ -63,6 +64,7 @@ const browser = await launch(process.argv[2]);
 const host = await serve(site);
 async function open(address, options = {}, place = '[data-exercise]') {
   const page = await (await browser.newContext({ viewport: { width: 1300, height: 900 }, acceptDownloads: true, ...options })).newPage();
+  page.setDefaultTimeout(WAIT.timeout);
   page.errors = [];
   page.asked = [];
   page.on('console', said => said.type() === 'error' && page.errors.push(said.text()));
@@ -72,6 +74,8 @@ async function open(address, options = {}, place = '[data-exercise]') {
   await page.waitForFunction(place => document.querySelector(place).desk, place, WAIT);
   return page;
 }
+// A picture in space is slow to paint without a graphics card, and all else waits.
+const calm = page => page.evaluate(() => document.querySelectorAll('[data-live]').forEach(node => node.live.loop.play(false)));
 const put = (page, text) => page.evaluate(text => { document.querySelector('[data-exercise]').desk.text = text; }, text);
 const said = page => page.textContent('.workshop-said');
 // Presses the button, and waits for what is said; with the time that it took.
@@ -89,6 +93,7 @@ async function checkMotion(page, id) {
   await page.getByRole('button', { name: 'See it move' }).press('Enter');
   await page.waitForFunction(() => /yours, bit for bit/.test(document.querySelector('.live-foot').textContent), null, WAIT)
     .catch(async () => check(false, `${id}: the book's answer moves with the book's bits: ${await page.textContent('.live-foot')}`));
+  await calm(page);
   checks++;
 }
 
@@ -108,17 +113,29 @@ async function checkExercise(id, address) {
   const page = await open(address);
   check(!page.asked.some(url => /clang-\d/.test(url)), `${id}: the compiler is not fetched before it is asked for`);
   await put(page, right);
+  await calm(page);
   const first = await judged(page), second = await judged(page);
   check(second.told?.pass, `${id}: the book's answer passes: ${second.said.slice(0, 300)}`);
   if (await page.getByRole('button', { name: 'See it move' }).count()) await checkMotion(page, id);
   if (id === '01-step') await checkGhost(page, right);
-  const times = [];
+  // From here on there is no network, and none is asked for.
+  const asked = page.asked.length, times = [];
+  await page.context().setOffline(true);
   for (const [k, { number, what, source }] of wrong.entries()) {
     await put(page, source);
-    const out = await judged(page), here = gist(out.text ?? ''), there = gist(desk[k]);
-    times.push(out.ms);
-    check(JSON.stringify(here) === JSON.stringify(there), `${id}, wrong ${number} (${what}): the page says ${JSON.stringify(here)}, the desk ${JSON.stringify(there)}`);
+    // In the page time is the clock's: where others compute as well, what takes long
+    // may be taken for what does not end.
+    let here;
+    const there = JSON.stringify(gist(desk[k]));
+    for (let tries = 0; tries < TRIES && here !== there; tries++) {
+      const out = await judged(page);
+      here = JSON.stringify(gist(out.text ?? ''));
+      if (tries === 0) times.push(out.ms);
+    }
+    check(here === there, `${id}, wrong ${number} (${what}): the page says ${here}, the desk ${there}`);
   }
+  const later = page.asked.slice(asked).filter(url => !/^(blob|data):/.test(url));
+  check(!later.length, `${id}: once it has judged it asks for nothing: ${later[0]}`);
   check(page.errors.length === 0, `${id}: no error in the console: ${page.errors[0]}`);
   console.log(`${id}: first ${first.ms} ms, then ${second.ms} ms; ${wrong.length} wrong answers, median ${times.sort((a, b) => a - b)[times.length >> 1]} ms; ${address.replace(/:.*/, '')}`);
   await page.context().close();

@@ -6,6 +6,8 @@
 // The library's own, so that it can be asked step by step.
 #define swept_first_touch nearing_first_touch
 #define shape_inner nearing_inner
+#define swept_place nearing_place
+#define swept_turning nearing_turning
 #include "../../lib/query/swept.c"
 
 enum { PACE = 70, REST = 110 };                 // frames a distance, at the end

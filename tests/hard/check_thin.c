@@ -356,7 +356,7 @@ static int needles_through(bool is_free, real spin)
     return through;
 }
 
-// Rejects: needles that are asked where they were placed, which let 71 and 126
+// Rejects: needles that are asked where they were placed, which let 67 and 111
 // through; that are asked as if they did not turn.
 START_TEST(needle_that_crosses_another_stays_on_its_side)
 {

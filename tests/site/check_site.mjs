@@ -24,7 +24,7 @@ const TRIPS = 2 * NETWORK.latency / 1e3;            // s
 // What this network brings in two seconds, but for the two round trips.
 const BYTES = (2 - TRIPS) * NETWORK.downloadThroughput;
 const TYPE = 12;                                    // pixels, at least
-const WAIT = 180e3;                                 // ms for a live figure's frame 60, and all else
+const WAIT = 600e3;                                 // ms for a live figure's frame 60, and all else
 
 let faults = 0;
 const fault = (page, sentence) => { faults++; console.log(`${page}: ${sentence}`); };

@@ -3,6 +3,7 @@
 
 const CHARTS = 3, LINES = 4, CURVE = 256;
 const FUEL = 20e6;              // turns of loops in a frame; a frame takes up to 1e6
+const FIRST = 200e6;            // of all that is not a frame: a body may be built
 
 const text = (bytes, at) => {
   let end = at;
@@ -35,7 +36,8 @@ export async function makeCore(wasm) {
     { page, wasi_snapshot_preview1: system });
   core.x = instance.exports;
   core.call = (name, ...values) => {
-    core.x.fuel(FUEL);
+    core.fuel = name === 'step' ? FUEL : FIRST;
+    core.x.fuel(core.fuel);
     return core.x[name](...values);
   };
   core.hash = () => BigInt.asUintN(64, core.x.hash()).toString(16).padStart(16, '0');
@@ -84,7 +86,7 @@ export function sentence(core, error) {
     .map(found => found[1]);
   const own = names.filter(name => !/^(page_|__)/.test(name));
   const where = own[0] || 'a function';
-  if (core.endless) return `${where} goes on and on: 20 million turns in one frame`;
+  if (core.endless) return `${where} goes on and on: ${core.fuel / 1e6} million turns in one ${core.fuel === FUEL ? 'frame' : 'call'}`;
   if (/call stack|too much recursion/.test(error.message)) return `${where} calls itself without end`;
   if (/out of bounds/.test(error.message)) return `${where} reads or writes where nothing is`;
   if (/unreachable/.test(error.message)) return `${where} gives up`;

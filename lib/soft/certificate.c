@@ -83,6 +83,7 @@ static int vertex_at(const frame_look *l, int b, int column, int row)
 //<
 
 //> certificate-boxes
+//>   Most tiles are nowhere near each other: their boxes say so.
 static vec3 low_corner(vec3 a, vec3 b)
 {
     return vec3_make(real_min(a.x, b.x), real_min(a.y, b.y),
@@ -764,6 +765,7 @@ void certificate_end(certificate *c, const soft_frame *f)
 //<
 
 //> certificate-room
+//>   At last, its memory.
 status certificate_grow(certificate *c, int kept, int particles)
 {
     bool ok = true;

@@ -26,7 +26,7 @@ set title "Thrown from the horizontal: gap"
 set label 1 "joint by joint" at 4,6000 textcolor rgb orange
 set label 2 "as a tree" at 0.25,1.5e-4 textcolor rgb blue font bold
 plot csv index 3 using 3:2 with linespoints pt 6 ps 0.91 lc rgb orange lw 1.6, \
-     csv index 3 using ($1 == 16 ? NaN : $3):2:1 with labels offset 0.9,0.75 textcolor rgb orange font small, \
+     csv index 3 using ($1 == 16 || $1 == 32 ? NaN : $3):2:1 with labels offset 0.9,0.75 textcolor rgb orange font small, \
      csv index 2 using 3:2 with linespoints pt 7 ps 0.91 lc rgb blue lw 2, \
      csv index 2 using 3:2:1 with labels offset 0.9,0.75 textcolor rgb blue font small
 unset label

@@ -196,7 +196,7 @@ static void seams(battery_run *r)
     battery_see(r, fabs(tumble_position(r->w, b).x * 9.81 / 36 - 1));
 }
 
-static void terrain(battery_run *r)
+static void hills(battery_run *r)
 {
     double high[24 * 24];
     tumble_world *w = r->w;
@@ -241,6 +241,6 @@ const battery_scene battery_rigid[] = {
       "1", 0.01, coins },
     { "sleepers", "stacks of three: until all sleep", "s", 0.5, sleepers },
     { "seams", "a box over tiles: way, from v^2 / (2 mu g)", "1", 0.01, seams },
-    { "terrain", "36 on hills: deepest overlap / radius", "1", 0.01, terrain },
+    { "terrain", "36 on hills: deepest overlap / radius", "1", 0.01, hills },
     { "crowd", "500: deepest overlap / radius", "1", 0.01, crowd },
     { 0 } };

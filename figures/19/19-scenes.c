@@ -30,8 +30,8 @@ static status show(int k, picture *out)
         done = example_paint(s, w, LAMPS, out, left, top, WIDE, HIGH);
     }
     picture_text(out, left + 14, top + 30, 20, colour_hex(0x30353c), s->name);
-    if (s->error)
-        printf("%s: %s: %.3g of %.3g\n", s->name, s->claim, s->error(w), s->most);
+    printf("%s: %s: %.3g of %.3g\n", s->name, s->claim, example_error(s, w),
+           s->most);
     if (done.ok && tumble_failure(w)) done = status_fail("%s", tumble_failure(w));
     tumble_free(w);
     return done;

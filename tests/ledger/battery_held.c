@@ -80,7 +80,7 @@ static void run_example(battery_run *r, const example *e, double seconds)
         if (e->act) e->act(r->w);
         battery_step(r, 1.0 / 60);
     }
-    battery_see(r, e->error(r->w));
+    battery_see(r, example_error(e, r->w));
 }
 
 static void doll(battery_run *r)

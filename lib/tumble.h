@@ -677,8 +677,8 @@ typedef struct {
     double impulse;         // N s, along the normals
 } tumble_impulse;
 
-// Steps write it down from now on, or no more.  It changes no bit of them, and costs a
-// few hundredths.  A world that was loaded does as the saved one did.
+// Steps write it down from now on, or no more.  It changes no bit of them.  A world
+// that was loaded does as the saved one did.
 bool tumble_listen(tumble_world *w, bool on);
 
 // Of the last step, sorted by bodies: writes `most` of them, and returns how many there

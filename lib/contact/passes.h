@@ -71,7 +71,7 @@ typedef struct {
     real damping;               // ratio, of their dampers
     real max_speed;             // m/s, at which overlaps are pushed out, at most
     vec3 gravity;               // m/s^2, for impacts
-    // Is told of each impact, and its impulse (N s); NULL: nobody is.
+    // Is told of each impact, and its impulse (N s); NULL: none is.
     void (*hear)(void *listener, const contact *c, real impulse);
     void *listener;
     tasks run;

@@ -37,7 +37,7 @@ static manifold touch_ahead(const collider *a, const collider *b, real near,
 }
 
 // So near is touching, of the smaller radius.
-static const real FINE = 0.0001;             // tuned, radii
+static const real FINE = 0.0001;            // tuned, radii
 
 swept_status collide_swept(const collider *a, const swept_motion *of_a,
                            const collider *b, const swept_motion *of_b,

@@ -26,7 +26,7 @@ manifold collide_rigid(const collider *a, const collider *b, real margin,
 // >= 0), while they go as of_a and of_b say.  *m holds it if the result is
 // SWEPT_TOUCHES, with the normal of that moment and the gap of now, along this
 // normal; else the result says what became of them, and *m is as it was.  The time
-// is known to a thousandth of the smaller body.  scratch: room for the vertices of
+// is known to a ten-thousandth of the smaller body.  scratch: room for the vertices of
 // both.
 swept_status collide_swept(const collider *a, const swept_motion *of_a,
                            const collider *b, const swept_motion *of_b,

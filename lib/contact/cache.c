@@ -404,13 +404,11 @@ static vec3 local_of(const rigid4 *r, const feature_point *f)
     return sum;
 }
 
-// Sides that are far apart, of bodies that will meet later in the frame, are
-// pushed each where it is.
 static void take_manifold(contact *c, const manifold *m, const cache_frame *f,
-                          bool is_apart)
+                          bool is_ahead)
 {
     c->count = m->count;
-    c->shared = (signed char)(is_apart ? 0 : m->count);
+    c->is_ahead = is_ahead;
     c->normal = m->normal;
     c->round_a = f->body[c->piece_a].shape->round;
     c->round_b = f->body[c->piece_b].shape->round;
@@ -426,12 +424,12 @@ static void take_manifold(contact *c, const manifold *m, const cache_frame *f,
 //> cache-query
 //>   Slow bodies are asked where they touch (chapters 10 and 11), fast ones
 //>   when they first touch (chapter 15).
-// Bodies that pass each other by more than the smaller one's inner radius in a
-// frame, by flying or by turning, may be lost to each other: they are asked when they
-// first touch.
-static bool passes(const cache_frame *f, int a, int b, real arcs)
+// Bodies that fly past each other by more than the smaller one's inner radius in a
+// frame, or that turn past each other by more than both of them, may be lost to each
+// other: they are asked when they first touch.
+static bool flies(const cache_frame *f, int a, int b)
 {
-    real far = vec3_distance(f->ahead[a].way, f->ahead[b].way) + arcs;
+    real far = vec3_distance(f->ahead[a].way, f->ahead[b].way);
     return far > fmin(f->body[a].inner, f->body[b].inner);
 }
 
@@ -443,9 +441,11 @@ static real turned_arc(const cache_frame *f, int b)
     return f->ahead[b].angle < HALF ? f->ahead[b].arc : 0;
 }
 
-static bool is_fast(const cache_frame *f, int a, int b)
+static bool turns(const cache_frame *f, int a, int b)
 {
-    return passes(f, a, b, turned_arc(f, a) + turned_arc(f, b));
+    real far = vec3_distance(f->ahead[a].way, f->ahead[b].way)
+             + turned_arc(f, a) + turned_arc(f, b);
+    return far > f->body[a].inner + f->body[b].inner;
 }
 
 // How it goes, and what it may go beside that (m), which is added to *apart.  What
@@ -588,8 +588,9 @@ static void query_pair(contact_cache *c, const cache_frame *f, cache_pair *p)
     swept_status swept = SWEPT_OVERLAP;
     now->count = 0;
     p->seen[0] = p->seen[1] = -1;
-    if (is_fast(f, a, b)) swept = query_swept(now, f);
-    if (swept != SWEPT_TOUCHES && swept != SWEPT_PASSES) {
+    bool may_pass = flies(f, a, b);
+    if (may_pass || turns(f, a, b)) swept = query_swept(now, f);
+    if (swept != SWEPT_TOUCHES && !(may_pass && swept == SWEPT_PASSES)) {
         real slack = slack_of(c, f, a, b), reach = reach_of(f, a, b);
         manifold m;
         bool is_ahead = query_ahead(f, now, x, y, 2 * slack, &e->carried,
@@ -694,7 +695,7 @@ static void gather(contact_cache *c, const cache_frame *f, cache_pair *p)
         if (now->piece_b >= 0) c->placing[now->piece_b].corners = c->updates;
     }
     c->fast += p->seen[0] < 0 && now->b >= 0
-             && passes(f, now->piece_a, now->piece_b, 0);
+             && flies(f, now->piece_a, now->piece_b);
     c->active[c->actives] = now;
     c->of[c->actives++] = p;
 }
@@ -737,16 +738,29 @@ static void gather_active(contact_cache *c, const cache_frame *f)
     tasks_run(f->run, reach_chunk, &u, task_chunks(c->actives));
 }
 
+// Within a frame what was to meet on one side of a body meets on no other: if it is
+// through, or past, by turning since it was asked, it comes back.
+static bool is_through(const contact *now, const contact *was)
+{
+    return was->is_ahead && (now->count == 0
+        || vec3_dot(now->normal, was->normal) < 0);
+}
+
 void cache_again(contact_cache *c, const cache_frame *f, int k)
 {
     cache_pair *p = c->of[k];
-    int a = c->active[k]->piece_a, b = c->active[k]->piece_b;
+    const contact was = *c->active[k];
+    int a = was.piece_a, b = was.piece_b;
     place_body(c, f, a, c->updates);
     if (b >= 0) place_body(c, f, b, c->updates);
     p->is_asked = true;
     make_entry(c, f, p, a, b);
     if (b < 0) query_wall(c, f, p);
     else       query_pair(c, f, p);
+    if (b >= 0 && is_through(c->active[k], &was)) {
+        *c->active[k] = was;
+        p->count = (signed char)was.count;
+    }
     c->reach[k] = reach_of(f, a, b);
 }
 

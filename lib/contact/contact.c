@@ -38,17 +38,24 @@ static vec3 arm_at(const rigid_frame *f, vec3 local)
                            local.z, f->axis[2]);
 }
 
+contact_arms contact_sides_of(const contact *c, int k, const rigid_frame *a,
+                              const rigid_frame *b)
+{
+    const contact_point *p = &c->point[k];
+    contact_arms arm = { .a = arm_at(a, p->local_a) };
+    arm.a = vec3_add_scaled(arm.a, -c->round_a, c->normal);
+    if (b) arm.b = vec3_add_scaled(arm_at(b, p->local_b), c->round_b, c->normal);
+    return arm;
+}
+
 // Both impulses act at one place: what one body gains of angular momentum the
 // other loses.  It is where the vertex is, while the face slides along under it.
 contact_arms contact_arms_of(const contact *c, int k, const rigid_frame *a,
                              const rigid_frame *b)
 {
     const contact_point *p = &c->point[k];
-    contact_arms arm = { .a = arm_at(a, p->local_a) };
-    arm.a = vec3_add_scaled(arm.a, -c->round_a, c->normal);
+    contact_arms arm = contact_sides_of(c, k, a, b);
     if (!b) return arm;
-    arm.b = vec3_add_scaled(arm_at(b, p->local_b), c->round_b, c->normal);
-    if (k >= c->shared) return arm;
     vec3 way = vec3_sub(a->center, b->center);
     vec3 seen = vec3_sub(arm.b, way);       // B's point, from A's centre
     arm.a = vec3_add(vec3_scale(p->own, arm.a), vec3_scale(1 - p->own, seen));

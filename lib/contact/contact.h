@@ -27,9 +27,8 @@ typedef struct {
     int  a, b;              // bodies; b < 0: plane -1 - b
     int  piece_a, piece_b;  // those that touch: the bodies, or pieces of them
     int  count;             // points; 0: none as near as they were asked for
-    signed char shared;     // of these so many, the first, push both bodies at
-                            // one place; the others, of bodies that meet later
-                            // in the frame, each at its own
+    bool is_ahead;          // found where the bodies meet later in the frame, not
+                            // where they are
     long found;             // when it was, as a number that no other has
     real round_a, round_b;  // m, so far from the points of A and of B, along
                             // the normal, are their surfaces; offsets hold it
@@ -65,6 +64,10 @@ typedef struct {
 // is NULL, and its arm 0.
 contact_arms contact_arms_of(const contact *c, int k, const rigid_frame *a,
                              const rigid_frame *b);
+
+// Where it is on each of them: at one place only when they touch.
+contact_arms contact_sides_of(const contact *c, int k, const rigid_frame *a,
+                              const rigid_frame *b);
 
 // The sum of the impulses along the normal (N s): 0 if they do not touch.
 real contact_load(const contact *c);

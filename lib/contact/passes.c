@@ -13,7 +13,7 @@ typedef struct {
     vec3 normal, across, aside;
     real across_impulse, aside_impulse, twist;
     real per_near, round_a, round_b;
-    real has[CONTACT_POINTS], own[CONTACT_POINTS], shared[CONTACT_POINTS];
+    real has[CONTACT_POINTS], own[CONTACT_POINTS];
     real offset[CONTACT_POINTS], impulse[CONTACT_POINTS];
     vec3 local_a[CONTACT_POINTS], local_b[CONTACT_POINTS];
 } lane_source;
@@ -43,7 +43,6 @@ static void choose_points(lane_source *q, const contact *c,
         q->local_b[j] = x->is_swapped ? p->local_a : p->local_b;
         q->own[j] = x->is_swapped ? 1 - p->own : p->own;
         q->has[j] = 1;
-        q->shared[j] = k < c->shared;
         q->offset[j] = p->offset + height;
         q->impulse[j] = warm * c->impulse[k];
     }
@@ -96,7 +95,6 @@ static void transpose_place(block_place *p, const lane_source q[REAL4], int j)
     LANES3_OF(p->local_b, q, local_b[j]);
     p->offset = LANES_OF(q, offset[j]);
     p->own = LANES_OF(q, own[j]);
-    p->shared = LANES_OF(q, shared[j]);
     p->has = LANES_OF(q, has[j]);
 }
 
@@ -187,32 +185,14 @@ typedef struct {
     real4 arm_a[CONTACT_POINTS][3], arm_b[CONTACT_POINTS][3];   // m
 } raw_block;
 
-// As contact_arms_of has them: one place for both, or each its own.  Two that have
-// met have one place, however they were found: their gap is all but closed, and
-// they are beside each other, to the smaller radius.  (A ball over a floor has a
-// corner of the next tile in one plane with it, ten radii away.)
-enum { BESIDE = 25 };                   // in units of 1 / per_near
-
-static inline void share_arms(raw_block *raw, const block *k, int j)
+// As contact_arms_of has them: one place for both.
+static inline void share_arms(raw_block *raw, real4 own, int j)
 {
-    const block_place *p = &k->place[j];
-    real4 one = real4_all(1), seen[3], off[3];
     for (int i = 0; i < 3; i++) {
-        seen[i] = real4_sub(raw->arm_b[j][i], raw->way[i]);
-        off[i] = real4_sub(raw->arm_a[j][i], seen[i]);
-    }
-    real4 open = real4_mul(k->point[j].gap, k->per_near);
-    real4 square = real4_mul(k->per_near, k->per_near);
-    real4 apart = real4_mul(real4_dot(off, off), square);
-    real4 met = real4_min(real4_sub(one, open),
-                          real4_sub(real4_all(BESIDE * BESIDE), apart));
-    real4 shared = real4_if_positive(met, one, p->shared);
-    for (int i = 0; i < 3; i++) {
-        real4 at = real4_mad(p->own, off[i], seen[i]);
-        raw->arm_a[j][i] = real4_if_positive(shared, at, raw->arm_a[j][i]);
-        raw->arm_b[j][i] = real4_if_positive(shared,
-                                             real4_add(at, raw->way[i]),
-                                             raw->arm_b[j][i]);
+        real4 seen = real4_sub(raw->arm_b[j][i], raw->way[i]);
+        real4 off = real4_sub(raw->arm_a[j][i], seen);
+        raw->arm_a[j][i] = real4_mad(own, off, seen);
+        raw->arm_b[j][i] = real4_add(raw->arm_a[j][i], raw->way[i]);
     }
 }
 
@@ -328,7 +308,7 @@ static void stand(const contact_solver *s, block *k, const solver_frame *f,
     k->inverse_a = raw->a.inverse;
     k->inverse_b = k->two ? raw->b.inverse : real4_all(0);
     if (f->is_elsewhere && stand_elsewhere(s, k, f, raw)) find_arms(k, raw);
-    for (int j = 0; j < k->points; j++) share_arms(raw, k, j);
+    for (int j = 0; j < k->points; j++) share_arms(raw, k->place[j].own, j);
 }
 //<
 

@@ -93,7 +93,7 @@ static inline material solver_material(const solver_frame *f, int a, int b)
 // frame than where they are now?
 static inline bool solver_strikes(const solver_frame *f, const contact *c)
 {
-    return (c->b >= 0 && c->shared < c->count)
+    return (c->b >= 0 && c->is_ahead)
         || solver_material(f, c->a, c->b).restitution > 0;
 }
 //<
@@ -105,7 +105,6 @@ typedef struct {
     real4 local_a[3], local_b[3];   // coordinates in the frames of the bodies
     real4 offset;       // m, of the gap
     real4 own;          // 1: they push where A's point is; 0: where B's is
-    real4 shared;       // 1: both push at one place; 0: each at its own
     real4 has;          // 1: there is such a point; 0: not
     real4 began;        // N s, its impulse before this substep
 } block_place;

@@ -84,7 +84,9 @@ static void begin_impact(impact *x, const impact_solver *s, const contact *c);
 static bool meets_fast(const impact_solver *s, impact *x, real slowest);
 static void stand_at(const impact *x, const impact_solver *s, real t,
                      rigid_frame at[BODIES]);
-static void find_arms(impact *x, const rigid_frame at[BODIES]);
+typedef contact_arms arms_of(const contact *c, int k, const rigid_frame *a,
+                             const rigid_frame *b);
+static void find_arms(impact *x, const rigid_frame at[BODIES], arms_of *of);
 static void find_touching(impact *x, const impact_solver *s);
 static void push_apart(impact *x, real restitution);
 static void rub(impact *x, real friction);
@@ -176,7 +178,7 @@ static bool meets_fast(const impact_solver *s, impact *x, real slowest)
     const rigid_frame *a = &s->f->body[c->a].frame;
     const rigid_frame *b = c->b < 0 ? NULL : &s->f->body[c->b].frame;
     for (int k = 0; k < c->count; k++) {
-        contact_arms arm = contact_arms_of(c, k, a, b);
+        contact_arms arm = contact_sides_of(c, k, a, b);
         vec3 more = vec3_sub(vec3_cross(turn[B], arm.b),
                              vec3_cross(turn[A], arm.a));
         most = real_max(vec3_dot(c->normal, more), most);
@@ -296,11 +298,11 @@ static void face_each_other(contact *c, const rigid_frame at[BODIES])
     c->normal = vec3_unit(vec3_sub(at[A].center, at[B].center));
 }
 
-static void find_arms(impact *x, const rigid_frame at[BODIES])
+// A gap closes as each side goes; both are struck at one place.
+static void find_arms(impact *x, const rigid_frame at[BODIES], arms_of *of)
 {
     for (int k = 0; k < x->c.count; k++)
-        x->arm[k] = contact_arms_of(&x->c, k, &at[A],
-                                    x->c.b < 0 ? NULL : &at[B]);
+        x->arm[k] = of(&x->c, k, &at[A], x->c.b < 0 ? NULL : &at[B]);
 }
 
 static void find_gaps(const impact *x, const impact_solver *s,
@@ -378,11 +380,10 @@ static void find_touching(impact *x, const impact_solver *s)
     rigid_frame at[BODIES];
     x->time = 0;
     x->c = *x->found;
-    x->c.shared = 0;            // a gap closes as each point goes
     for (int n = 0; n < TOUCH_STEPS; n++) {
         stand_at(x, s, x->time, at);
         face_each_other(&x->c, at);
-        find_arms(x, at);
+        find_arms(x, at, contact_sides_of);
         real time = first_touch(x, s, at, a);
         x->points = 0;
         if (!(time < HUGE_VAL)) return;
@@ -390,10 +391,9 @@ static void find_touching(impact *x, const impact_solver *s)
         x->time = time;
         if (is_there) break;
     }
-    x->c.shared = (signed char)x->c.count;
     stand_at(x, s, x->time, at);
     face_each_other(&x->c, at);
-    find_arms(x, at);
+    find_arms(x, at, contact_arms_of);
     take_touching(x, s, at);
 }
 //<

@@ -347,7 +347,7 @@ static void take(const slider *s, side *x, const manifold *m)
 {
     contact *t = x->contact;
     t->count = m->count;
-    t->shared = 0;
+    t->is_ahead = false;
     t->normal = m->normal;
     for (int k = 0; k < m->count; k++)
         t->point[k] = (contact_point){
@@ -507,7 +507,7 @@ static void take_plane(const slider *s, side *x, const manifold *m)
     contact *t = x->contact;
     collider a = asked_body(s, s->a);
     t->count = m->count;
-    t->shared = (signed char)m->count;
+    t->is_ahead = false;
     for (int k = 0; k < m->count; k++) {
         int v = m->point[k].a.vertex[0];
         real down = m->point[k].gap + a.shape->round;

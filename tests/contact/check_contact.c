@@ -93,25 +93,31 @@ END_TEST
 
 // --- arms --------------------------------------------------------------------
 
-// A vertex pushes where it is, two edges halfway between them.
-// Rejects: an arm from the origin; a place that is not the same for both; a
-// point of its own that is moved there; the vertex of the other body.
-START_TEST(impulses_act_at_one_place_or_each_at_its_own)
+// A vertex pushes where it is, two edges halfway between them; and each of the two
+// sides is where its own body has it.
+// Rejects: an arm from the origin; a place that is not the same for both; a side
+// that is moved there; the vertex of the other body.
+START_TEST(impulses_act_at_one_place_between_both_sides)
 {
     for (int n = 0; n < 200; n++) {
         rigid_frame a = any_frame(random_vec3(&seed, 1)),
             b = any_frame(random_vec3(&seed, 1));
-        contact c = { .b = n % 4 ? 1 : -1, .count = 4,
-                      .shared = (signed char)(n % 5) };
+        contact c = { .b = n % 4 ? 1 : -1, .count = 4 };
+        const rigid_frame *to = c.b < 0 ? NULL : &b;
         for (int k = 0; k < 4; k++) {
             contact_point p = c.point[k] = any_point();
-            contact_arms arm = contact_arms_of(&c, k, &a, c.b < 0 ? NULL : &b);
+            contact_arms side = contact_sides_of(&c, k, &a, to);
+            contact_arms arm = contact_arms_of(&c, k, &a, to);
             vec3 on_a = frame_point(&a, p.local_a);
             vec3 on_b = frame_point(&b, p.local_b);
             vec3 place = vec3_add(vec3_scale(p.own, on_a),
                                   vec3_scale(1 - p.own, on_b));
-            if (c.b >= 0 && k < c.shared) on_a = on_b = place;
             if (c.b < 0) on_b = b.center;
+            ck_assert(vec3_distance(vec3_add(a.center, side.a), on_a)
+                      <= 10 * ROUNDING);
+            ck_assert(vec3_distance(vec3_add(b.center, side.b), on_b)
+                      <= 10 * ROUNDING);
+            if (c.b >= 0) on_a = on_b = place;
             ck_assert(vec3_distance(vec3_add(a.center, arm.a), on_a)
                       <= 10 * ROUNDING);
             ck_assert(vec3_distance(vec3_add(b.center, arm.b), on_b)
@@ -201,7 +207,7 @@ int main(void)
         gaps_follow_bodies_wherever_they_go,
         gap_to_a_plane_is_the_height_over_it,
         load_is_the_sum_of_the_impulses,
-        impulses_act_at_one_place_or_each_at_its_own,
+        impulses_act_at_one_place_between_both_sides,
         each_impulse_goes_to_the_nearest_new_point,
         impulses_along_another_normal_are_forgotten,
         NULL

@@ -110,7 +110,6 @@ static void add_point(contact *c, vec3 arm_a, vec3 arm_b)
 {
     c->point[c->count++] = (contact_point){ .local_a = arm_a, .local_b = arm_b,
                                             .own = 1 };
-    c->shared++;
 }
 
 // Their cores are their centres: they touch wherever they meet.

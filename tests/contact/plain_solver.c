@@ -140,22 +140,12 @@ static real near_of(const plain_solver *s, const contact *c)
     return near;
 }
 
-// The arms of point k of contact i.  What has met pushes at one place: its gap is
-// all but closed, and its two points are no further apart than that radius.
+// The arms of point k of contact i.
 static contact_arms arms_of(const plain_solver *s, int i, int k)
 {
-    contact c = *s->contact[i];
-    const rigid_frame *a = place_of(s, c.a);
-    const rigid_frame *b = c.b < 0 ? NULL : place_of(s, c.b);
-    real near = near_of(s, &c);
-    if (b && s->gap[i][k] < near) {
-        contact own = c;
-        own.shared = 0;
-        contact_arms arm = contact_arms_of(&own, k, a, b);
-        vec3 from = vec3_add(a->center, arm.a), to = vec3_add(b->center, arm.b);
-        if (vec3_distance(from, to) < 25 * near) c.shared = CONTACT_POINTS;
-    }
-    return contact_arms_of(&c, k, a, b);
+    const contact *c = s->contact[i];
+    return contact_arms_of(c, k, place_of(s, c->a),
+                           c->b < 0 ? NULL : place_of(s, c->b));
 }
 
 static void solve_normals(plain_solver *s, int i, softness soft, bool relaxes)

@@ -78,7 +78,6 @@ static inline void pile_point(pile *p, contact *c, vec3 arm_a, vec3 arm_b,
                               real gap)
 {
     contact_point *q = &c->point[c->count++];
-    c->shared++;
     const rigid_frame *a = &p->body[c->a].frame;
     vec3 point_a = vec3_add(a->center, arm_a), point_b = arm_b;
     real height = c->b < 0 ? p->plane[-1 - c->b].offset : 0;
@@ -137,18 +136,8 @@ static inline void pile_any_contact(pile *p, int a, int b, bool meeting)
         c->impulse[k] = real_max(0, 1e-3 * random_real(&seed));
         if (b >= 0) c->point[k].own = any_below(3) / 2.0;
     }
-    // One in four was found ahead of its time.
-    if (b >= 0 && !meeting && any_below(4) == 0)
-        c->shared = (signed char)any_below(count + 1);
     c->friction = random_vec3(&seed, 1e-4);
     c->twist = 1e-5 * random_real(&seed);
-}
-
-// All were found in their time, or all ahead of it.
-static inline void pile_set_shared(pile *p, bool in_time)
-{
-    for (int k = 0; k < p->contacts; k++)
-        p->contact[k].shared = (signed char)(in_time ? p->contact[k].count : 0);
 }
 
 static inline void pile_any(pile *p, int bodies, int contacts, int decades)

@@ -402,17 +402,10 @@ void solver_scale(contact_solver *s, real times)
 
 //> solver-store
 //>   The impulses go back to the contacts that they came from.
-static void clear_impulses(contact *c)
-{
-    for (int j = 0; j < c->count; j++) c->impulse[j] = 0;
-    c->friction = (vec3){ 0, 0, 0 };
-    c->twist = 0;
-}
-
 static void store_lane(const block *k, int l, active_contact *x, contact *c)
 {
     real sign = x->is_swapped ? -1 : 1, load = 0;
-    clear_impulses(c);
+    contact_clear(c);
     for (int j = 0; j < x->count; j++) {
         c->impulse[x->point[j]] = real4_get(&k->point[j].impulse, l);
         load += c->impulse[x->point[j]];
@@ -439,7 +432,7 @@ static void clear_chunk(void *data, int item)
     int end = q->s->first + task_end(item, q->s->end - q->s->first);
     for (int k = q->s->first + task_first(item); k < end; k++) {
         if (q->s->active[k].count > 0) continue;
-        clear_impulses(q->table[k]);
+        contact_clear(q->table[k]);
         q->s->active[k].load = 0;
     }
 }
@@ -471,7 +464,7 @@ void solver_store(contact_solver *s, tasks run, contact *const *table)
 // Blocks are not good for the next frame, either.
 void solver_forget(contact_solver *s, contact *const *table, int k)
 {
-    clear_impulses(table[k]);
+    contact_clear(table[k]);
     s->active[k].load = 0;
     s->h = 0;
 }

@@ -43,15 +43,6 @@ const rigid_frame JOINT_WORLD = {
     { 0, 0, 0 }, { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }
 };
 
-// The axes of a frame are perpendicular, so each coordinate is found alone.
-static vec3 local_of(const rigid_frame *f, vec3 r)
-{
-    const vec3 *axis = f->axis;
-    return vec3_make(vec3_dot(r, axis[0]) / vec3_length_squared(axis[0]),
-                     vec3_dot(r, axis[1]) / vec3_length_squared(axis[1]),
-                     vec3_dot(r, axis[2]) / vec3_length_squared(axis[2]));
-}
-
 static vec3 direction(const rigid_frame *f, vec3 local)
 {
     return vec3_sub(frame_point(f, local), f->center);
@@ -70,8 +61,8 @@ static void set_axes(joint *j, const rigid_frame *a, const rigid_frame *b,
                      const vec3 axis[JOINT_AXES])
 {
     for (int i = 0; i < JOINT_AXES; i++) {
-        j->axis_a[i] = local_of(a, axis[i]);
-        j->axis_b[i] = local_of(b, axis[i]);
+        j->axis_a[i] = frame_local(a, axis[i]);
+        j->axis_b[i] = frame_local(b, axis[i]);
     }
 }
 
@@ -98,9 +89,9 @@ joint joint_make(const joint_plan *p, const rigid_frame *a,
         axis[0] = vec3_unit(p->axis);
         choose_across(axis[0], &axis[1], &axis[2]);
     }
-    j.local_a = local_of(a, vec3_sub(p->point, a->center));
-    j.local_b = local_of(b, vec3_sub(has_two ? p->point_b : p->point,
-                                     b->center));
+    j.local_a = frame_local(a, vec3_sub(p->point, a->center));
+    j.local_b = frame_local(b, vec3_sub(has_two ? p->point_b : p->point,
+                                        b->center));
     set_axes(&j, a, b, axis);
     return j;
 }

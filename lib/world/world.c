@@ -863,8 +863,10 @@ void world_skin(const world *w, const body *b, vec3 *at)
         world_vertices(w, b, at);
         return;
     }
-    rigid_frame frame = rigid4_frame(w->pool.at + b->first);
+    rigid_frame now = rigid4_frame(w->pool.at + b->first);
+    rigid_frame rest = rigid4_rest(b->rigid);
     for (int i = 0; i < k->points; i++)
-        at[i] = frame_point(&frame, rigid4_local(b->rigid, k->at[i]));
+        at[i] = frame_point(&now, frame_local(&rest, vec3_sub(k->at[i],
+                                                              rest.center)));
 }
 //<

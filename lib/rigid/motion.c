@@ -55,12 +55,10 @@ motion motion_make(const motion_basis *basis, vec3 velocity, vec3 spin)
 //>   An impulse at a point changes all six.
 void motion_push(motion *m, const motion_basis *basis, vec3 arm, vec3 impulse)
 {
-    vec3 moment = vec3_cross(arm, impulse);
     m->of[0] += basis->inverse_mass * impulse.x;
     m->of[1] += basis->inverse_mass * impulse.y;
     m->of[2] += basis->inverse_mass * impulse.z;
-    for (int t = 0; t < TURNS; t++)
-        m->of[MOTION_TURN + t] += vec3_dot(basis->turn[t], moment);
+    motion_twist(m, basis, vec3_cross(arm, impulse));
 }
 
 real motion_energy(const motion_basis *basis, const motion *m)

@@ -370,14 +370,11 @@ static void stop_closing(rigid_tables *t, int small, int large,
 {
     const motion_basis *a = &t->now[small].basis, *b = &t->now[large].basis;
     motion *u = &t->velocity[small], *v = &t->velocity[large];
-    vec3 center = { 0, 0, 0 }, twist = vec3_cross(s->arm, s->normal);
-    real k = a->inverse_mass + b->inverse_mass;
+    vec3 center = { 0, 0, 0 };
+    real k = motion_answer(a->inverse_mass + b->inverse_mass, b,
+                           vec3_cross(s->arm, s->normal));
     real apart = vec3_dot(s->normal, vec3_sub(motion_at(a, u, center),
                                               motion_at(b, v, s->arm)));
-    for (int i = 0; i < TURNS; i++) {
-        real turn = vec3_dot(b->turn[i], twist);
-        k += turn * turn;
-    }
     if (!(apart < 0)) return;
     motion_push(u, a, center, vec3_scale(-apart / k, s->normal));
     motion_push(v, b, s->arm, vec3_scale(apart / k, s->normal));

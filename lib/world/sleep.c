@@ -128,10 +128,15 @@ enum { MOST_FRAMES = 1000000 };
 
 // Froude's scaling: lengths go as R, times as sqrt(R / g), speeds as
 // sqrt(g R), and accelerations as g.
+real sleep_scaled(real speed, real gravity, real radius)
+{
+    return speed * sqrt(gravity * radius / (EARTH * USUAL));
+}
+
 static sleep_limits limits_of(const sleep_rule *rule, real radius)
 {
     real g = rule->gravity, half = rule->time / HALVES_TO_SLEEP;
-    real speed = rule->speed * sqrt(g * radius / (EARTH * USUAL));
+    real speed = sleep_scaled(rule->speed, g, radius);
     if (g > 0) half *= real_max(1, sqrt(radius * EARTH / (USUAL * g)));
     real frames = real_min(half / rule->dt + 0.5, MOST_FRAMES);
     sleep_limits l = { .frames = int_max((int)frames, 1) };

@@ -24,6 +24,9 @@ typedef struct {
     real h;         // s: the particles were at `previous` so long ago
 } sleep_rule;
 
+// Such a speed of the cube, for a body of that radius.
+real sleep_scaled(real speed, real gravity, real radius);
+
 // A window of time, half as long as time_to_sleep.
 typedef struct {
     real way;       // m, the furthest that a particle has been in it from where

@@ -371,13 +371,10 @@ static real best_face(const slider *s, const side *x, vec3 *best)
     return most;
 }
 
-// Deeper inside of a face A came by another.
-static const real INSIDE = 0.1;             // tuned, radii
-
 static bool aim_at_face(const slider *s, side *x)
 {
     vec3 m;
-    return best_face(s, x, &m) > -INSIDE * s->f->now[s->a].radius
+    return best_face(s, x, &m) > -CONTACT_DEEP * s->f->now[s->a].radius
         && aim(s, x, m) && !is_covered_by_any(s, x);
 }
 //<

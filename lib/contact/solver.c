@@ -34,10 +34,7 @@ static void find_loads(active_contact *x, const contact *c,
     x->borne = x->load * inverse / (active_age(x, f) * radius);
 }
 
-// Contact c, and which of its points come within reach.  One that overlaps by more
-// than this is reported.
-static const real DEEP = 0.1;               // tuned, radii
-
+// Contact c, and which of its points come within reach.
 static void activate(active_contact *x, const contact *c, const solver_frame *f,
                      real reach)
 {
@@ -66,7 +63,7 @@ static void activate(active_contact *x, const contact *c, const solver_frame *f,
     }
     real radius = active_radius(x, f);
     find_loads(x, c, f, radius);
-    x->is_deep = x->count > 0 && x->least < -DEEP * radius;
+    x->is_deep = x->count > 0 && x->least < -CONTACT_DEEP * radius;
 }
 
 // Is x the contact y of the frame before, with the same points?
@@ -153,7 +150,7 @@ static void list_colors(contact_solver *s, const int end[BINS])
 
 //> solver-prepare
 // Asked of memory so many before it is needed.
-enum { AHEAD = 4 };                         // tuned, contacts
+enum { AHEAD = 8 };                         // tuned, contacts
 
 static void activate_chunk(void *data, int item)
 {
@@ -440,12 +437,11 @@ static void clear_chunk(void *data, int item)
 // No contact is in two blocks.
 static void store_chunk(void *data, int item)
 {
-    enum { BLOCKS_AHEAD = 2 };              // tuned, blocks: asked of memory
     const storing *q = data;
     int end = task_end(item, q->s->blocks);
     for (int n = item * TASK_CHUNK; n < end; n++) {
         const block *x = &q->s->block[n];
-        const block *next = &q->s->block[int_min(n + BLOCKS_AHEAD, end - 1)];
+        const block *next = &q->s->block[int_min(n + AHEAD / REAL4, end - 1)];
         for (int l = 0; l < REAL4; l++) {
             int k = x->contact[l], then = next->contact[l];
             if (then >= 0) contact_expect(q->table[then]);

@@ -122,8 +122,9 @@ static const real NOISE = 2e-4;             // tuned, radii
 // A mean speed is low while a body rings: at no moment may it be so much higher, nor
 // in a window of what stands.
 static const real JITTER = 5;               // tuned, times the speed
-// So long is it still before it sleeps: time_to_sleep, in halves of its windows.
-enum { HALVES_TO_SLEEP = 4 };       // tuned, half windows
+// So long is it still before it sleeps: for two windows, since one is compared with
+// the one before, and each has two halves.
+enum { HALVES_TO_SLEEP = 4 };
 enum { MOST_FRAMES = 1000000 };
 
 // Froude's scaling: lengths go as R, times as sqrt(R / g), speeds as

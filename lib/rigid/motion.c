@@ -145,20 +145,18 @@ static vec3 turned_often(vec3 t, int times, vec3 x)
     return vec3_add_scaled(x, 1 - cosine, vec3_cross(axis, once));
 }
 
-// In several moves, if it turns far.
 rigid_frame motion_frame(const rigid_frame *frame, const motion_basis *basis,
                          const motion *d)
 {
-    enum { A_FEW = 8 };     // tuned, moves: are quicker one by one
     vec3 straight = { d->of[0], d->of[1], d->of[2] };
     int moves = moves_of(basis, d);
     vec3 turn = vec3_scale(1.0 / moves, motion_rotation(basis, d));
     vec3 half = half_tangent(turn);
     rigid_frame now = *frame;
     now.center = vec3_add(frame->center, straight);
-    for (int i = 0; i < FOUR_AXES && moves > A_FEW; i++)
+    if (moves == 1) turn_axes(&now, half, -1);
+    for (int i = 0; i < FOUR_AXES && moves > 1; i++)
         now.axis[i] = turned_often(half, moves, now.axis[i]);
-    for (int k = 0; k < moves && moves <= A_FEW; k++) turn_axes(&now, half, -1);
     return now;
 }
 //<

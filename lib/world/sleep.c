@@ -18,14 +18,9 @@ static bool make_room(sleep_state *s, int room, int particles)
 {
     bool ok = true;
     if (room > s->room || !s->parent) {
-        TABLE_GROW(ok, s->parent, s->room, room);
-        TABLE_GROW(ok, s->member, s->room, room);
-        TABLE_GROW(ok, s->takes_part, s->room, room);
-        TABLE_GROW(ok, s->island, s->room, room);
-        TABLE_GROW(ok, s->next, s->room, room);
-        TABLE_GROW(ok, s->asleep, s->room, room);
-        TABLE_GROW(ok, s->is_restless, s->room, room);
-        TABLE_GROW(ok, s->watch, s->room, room);
+#define GROW(table) TABLE_GROW(ok, s->table, s->room, room);
+        SLEEP_TABLES(GROW, GROW)
+#undef GROW
         for (int b = s->room; b < room && ok; b++) s->parent[b] = s->next[b] = b;
         if (ok) s->room = room;
     }
@@ -50,14 +45,9 @@ status sleep_grow(sleep_state *s, int bodies, int particles)
 
 void sleep_free(sleep_state *s)
 {
-    free(s->parent);
-    free(s->member);
-    free(s->takes_part);
-    free(s->island);
-    free(s->next);
-    free(s->asleep);
-    free(s->is_restless);
-    free(s->watch);
+#define FREE(table) free(s->table);
+    SLEEP_TABLES(FREE, FREE)
+#undef FREE
     for (int k = 0; k < WINDOWS; k++) free(s->start[k]);
     *s = (sleep_state){ .bodies = 0 };
 }

@@ -69,6 +69,12 @@ typedef struct {
     vec3 *start[WINDOWS];       // m, [particles] where they were when each
                         // window of their body began
 } sleep_state;
+
+// All that have a place for each body: what a saved world keeps of them, and what
+// each frame begins anew.
+#define SLEEP_TABLES(KEPT, ANEW)                                          \
+    KEPT(island) KEPT(next) KEPT(asleep) KEPT(watch)                      \
+    ANEW(parent) ANEW(member) ANEW(takes_part) ANEW(is_restless)
 //<
 
 //> sleep-declare

@@ -528,14 +528,6 @@ bool solver_take_new(contact_solver *s, const solver_frame *f,
 
 //> solver-init
 //>   Memory: made once, grown between frames, given back.
-status solver_init(contact_solver *s, int bodies)
-{
-    *s = (contact_solver){ .contacts = 0 };
-    status done = solver_grow(s, bodies);
-    if (!done.ok) solver_free(s);
-    return done;
-}
-
 // Blocks may be kept for the next frame: their spare is another then.
 static void move_spare(contact_solver *s, int spare)
 {

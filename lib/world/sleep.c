@@ -6,14 +6,6 @@
 #include <assert.h>
 #include <stdlib.h>
 
-status sleep_init(sleep_state *s, int bodies, int particles)
-{
-    *s = (sleep_state){ .bodies = 0 };
-    status done = sleep_grow(s, bodies, particles);
-    if (!done.ok) sleep_free(s);
-    return done;
-}
-
 static bool make_room(sleep_state *s, int room, int particles)
 {
     bool ok = true;

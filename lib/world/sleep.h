@@ -80,9 +80,8 @@ typedef struct {
 //> sleep-declare
 //>   A body has two windows at a time, half a window apart, so that a stop is
 //>   noticed soon.
-// All bodies awake.  Fails, leaving *s empty, if memory is refused.
-status sleep_init(sleep_state *s, int bodies, int particles);
-// More of them, if there were fewer; these are awake.  Fails, changing nothing.
+// Room for so many, if there were fewer; these are awake.  A zeroed state has none.
+// Fails, with the room that there was, if memory is refused.
 status sleep_grow(sleep_state *s, int bodies, int particles);
 void   sleep_free(sleep_state *s);      // an empty or zeroed one is fine
 

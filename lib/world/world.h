@@ -303,7 +303,7 @@ typedef struct world {
     soft_solver  soft;
     sleep_state  sleep;
     step_report  report;
-    ledger_entry ledger[LEDGERS];   // since the start, or ledger_clear
+    ledger_entry ledger[LEDGERS];   // since the start
     ledger_entry ledger_now;        // what there is, as of the last entry
 } world;
 //<

@@ -31,20 +31,14 @@ void contact_gaps(const contact *c, const rigid_frame *a, const rigid_frame *b,
 //> contact-arms
 //>   A ball that rolls touches with another point in every moment. So a round
 //>   body keeps the point of its core, and impulses act a radius away from it.
-static vec3 arm_at(const rigid_frame *f, vec3 local)
-{
-    return vec3_add_scaled(vec3_add_scaled(vec3_scale(local.x, f->axis[0]),
-                                           local.y, f->axis[1]),
-                           local.z, f->axis[2]);
-}
-
 contact_arms contact_sides_of(const contact *c, int k, const rigid_frame *a,
                               const rigid_frame *b)
 {
     const contact_point *p = &c->point[k];
-    contact_arms arm = { .a = arm_at(a, p->local_a) };
+    contact_arms arm = { .a = frame_vector(a, p->local_a) };
     arm.a = vec3_add_scaled(arm.a, -c->round_a, c->normal);
-    if (b) arm.b = vec3_add_scaled(arm_at(b, p->local_b), c->round_b, c->normal);
+    if (b) arm.b = vec3_add_scaled(frame_vector(b, p->local_b), c->round_b,
+                                   c->normal);
     return arm;
 }
 
@@ -78,17 +72,14 @@ real contact_load(const contact *c)
 //> contact-inherit
 //>   A point takes over the impulses of the point that was nearest to it in the
 //>   frame before.
-static int nearest_point(const contact *c, vec3 local)
+int contact_nearest(const contact *c, bool is_a, vec3 local)
 {
     int best = 0;
     real least = HUGE_VAL;
     for (int k = 0; k < c->count; k++) {
-        vec3 d = vec3_sub(c->point[k].local_a, local);
-        real square = vec3_length_squared(d);
-        if (square < least) {
-            least = square;
-            best = k;
-        }
+        vec3 own = is_a ? c->point[k].local_a : c->point[k].local_b;
+        real square = vec3_length_squared(vec3_sub(own, local));
+        if (square < least) least = square, best = k;
     }
     return best;
 }
@@ -98,14 +89,13 @@ static int nearest_point(const contact *c, vec3 local)
 // what it has carried: it is not for this contact.
 void contact_inherit(contact *now, const contact *was)
 {
-    vec3 none = { 0, 0, 0 };
-    bool is_same = now->count > 0
-                && vec3_dot(now->normal, was->normal) >= CONTACT_SAME;
-    for (int k = 0; k < now->count; k++) now->impulse[k] = 0;
-    now->friction = is_same ? was->friction : none;
-    now->twist = is_same ? was->twist : 0;
-    for (int k = 0; k < was->count && is_same; k++) {
-        int to = nearest_point(now, was->point[k].local_a);
+    contact_clear(now);
+    if (now->count == 0 || !(vec3_dot(now->normal, was->normal) >= CONTACT_SAME))
+        return;
+    now->friction = was->friction;
+    now->twist = was->twist;
+    for (int k = 0; k < was->count; k++) {
+        int to = contact_nearest(now, true, was->point[k].local_a);
         now->impulse[to] += was->impulse[k];
     }
 }

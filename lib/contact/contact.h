@@ -72,12 +72,27 @@ contact_arms contact_sides_of(const contact *c, int k, const rigid_frame *a,
 // The sum of the impulses along the normal (N s): 0 if they do not touch.
 real contact_load(const contact *c);
 
+// It carries nothing.
+static inline void contact_clear(contact *c)
+{
+    for (int k = 0; k < c->count; k++) c->impulse[k] = 0;
+    c->friction = vec3_make(0, 0, 0);
+    c->twist = 0;
+}
+
+// Which point of A, or of B, is the nearest to that place on it.
+int contact_nearest(const contact *c, bool is_a, vec3 local);
+
 // Contact `now` of the same bodies, found again, takes over the impulses of
 // `was`: each old point hands its own to the new point nearest to it (warm
 // starting).  None, if the normal has turned by more: by 45 degrees, whose cosine
 // this is.
 static const real CONTACT_SAME = 0.7;       // tuned, 1
 void contact_inherit(contact *now, const contact *was);
+
+// An overlap is deep that is more than this, of the smaller radius: it is reported,
+// and so deep inside of a face nothing has come through it.
+static const real CONTACT_DEEP = 0.1;       // tuned, radii
 
 // Contact c will be read soon: a processor may fetch it already.
 static inline void contact_expect(const contact *c)

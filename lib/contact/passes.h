@@ -230,8 +230,8 @@ typedef struct {
 //<
 
 //> passes-declare
-// An item has few blocks: a colour may have no more than 30.
-enum { FEW_BLOCKS = 8 };                    // tuned, blocks
+// An item has as many contacts in its blocks as others have things.
+enum { FEW_BLOCKS = TASK_CHUNK / REAL4 };
 
 // What the making of blocks is given.
 typedef struct {

@@ -310,25 +310,6 @@ static vec3 local_at(const rigid4 *r, const feature_point *f)
     return sum;
 }
 
-static void carry_nothing(contact *x)
-{
-    for (int k = 0; k < x->count; k++) x->impulse[k] = 0;
-    x->friction = vec3_make(0, 0, 0);
-    x->twist = 0;
-}
-
-static int nearest_own(const contact *x, bool is_a, vec3 local)
-{
-    int best = 0;
-    real least = HUGE_VAL;
-    for (int k = 0; k < x->count; k++) {
-        vec3 own = is_a ? x->point[k].local_a : x->point[k].local_b;
-        real square = vec3_length_squared(vec3_sub(own, local));
-        if (square < least) least = square, best = k;
-    }
-    return best;
-}
-
 // Each point of what was hands its impulse to the nearest, as contact_inherit
 // does; none, if the normal was further off than that (a cosine).
 static void carry(const slider *s, const side *x, const cache_load *was,
@@ -338,7 +319,7 @@ static void carry(const slider *s, const side *x, const cache_load *was,
     bool is_a = t->piece_a == s->a;
     if (!(vec3_dot(x->n, was->normal) >= alike) || t->count == 0) return;
     for (int k = 0; k < was->count; k++)
-        t->impulse[nearest_own(t, is_a, was->local[k])] += was->impulse[k];
+        t->impulse[contact_nearest(t, is_a, was->local[k])] += was->impulse[k];
     t->friction = vec3_add_scaled(t->friction, is_a ? 1 : -1, was->friction);
     t->twist += was->twist;
 }
@@ -355,7 +336,7 @@ static void take(const slider *s, side *x, const manifold *m)
             local_at(s->f->body[t->piece_b].rigid, &m->point[k].b),
             t->round_a + t->round_b, contact_own(&m->point[k], t) };
     see_side(s, x);
-    carry_nothing(t);
+    contact_clear(t);
     carry(s, x, &s->c->was[x->pair->entry], CONTACT_SAME);
 }
 
@@ -390,13 +371,10 @@ static real best_face(const slider *s, const side *x, vec3 *best)
     return most;
 }
 
-// Deeper inside of a face A came by another.
-static const real INSIDE = 0.1;             // tuned, radii
-
 static bool aim_at_face(const slider *s, side *x)
 {
     vec3 m;
-    return best_face(s, x, &m) > -INSIDE * s->f->now[s->a].radius
+    return best_face(s, x, &m) > -CONTACT_DEEP * s->f->now[s->a].radius
         && aim(s, x, m) && !is_covered_by_any(s, x);
 }
 //<
@@ -490,30 +468,21 @@ static bool is_over(const slider *s, const int *of, int n, vec3 p)
     return false;
 }
 
-// The coordinates of point p in a frame.
-static vec3 local_in(const rigid_frame *f, vec3 p)
-{
-    vec3 d = vec3_sub(p, f->center), local;
-    real *out[FOUR_AXES] = { &local.x, &local.y, &local.z };
-    for (int i = 0; i < FOUR_AXES; i++)
-        *out[i] = vec3_dot(d, f->axis[i]) / vec3_length_squared(f->axis[i]);
-    return local;
-}
-
 // Contact x with the floor's plane.  (Its points are given to the one piece,
 // whichever they lie over: the pieces move as one.)
 static void take_plane(const slider *s, side *x, const manifold *m)
 {
     contact *t = x->contact;
     collider a = asked_body(s, s->a);
+    const rigid_frame *floor = &s->c->placed[x->b];
     t->count = m->count;
     t->is_ahead = false;
     for (int k = 0; k < m->count; k++) {
         int v = m->point[k].a.vertex[0];
         real down = m->point[k].gap + a.shape->round;
         vec3 own = s->f->body[s->a].rigid->local[v];
-        vec3 foot = local_in(&s->c->placed[x->b],
-                             vec3_add_scaled(a.at[v], -down, x->n));
+        vec3 foot = vec3_add_scaled(a.at[v], -down, x->n);
+        foot = frame_local(floor, vec3_sub(foot, floor->center));
         bool is_a = t->piece_a == s->a;
         t->point[k] = (contact_point){ is_a ? own : foot, is_a ? foot : own,
                                        t->round_a + t->round_b, is_a };
@@ -524,7 +493,7 @@ static void take_plane(const slider *s, side *x, const manifold *m)
 // What the pieces carried, and those that A has left.
 static void carry_floor(const slider *s, const side *x, const int *of, int n)
 {
-    carry_nothing(x->contact);
+    contact_clear(x->contact);
     for (int i = 0; i < s->sides; i++) {
         const side *y = &s->side[i];
         bool is_one = false;

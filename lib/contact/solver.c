@@ -34,10 +34,7 @@ static void find_loads(active_contact *x, const contact *c,
     x->borne = x->load * inverse / (active_age(x, f) * radius);
 }
 
-// Contact c, and which of its points come within reach.  One that overlaps by more
-// than this is reported.
-static const real DEEP = 0.1;               // tuned, radii
-
+// Contact c, and which of its points come within reach.
 static void activate(active_contact *x, const contact *c, const solver_frame *f,
                      real reach)
 {
@@ -66,7 +63,7 @@ static void activate(active_contact *x, const contact *c, const solver_frame *f,
     }
     real radius = active_radius(x, f);
     find_loads(x, c, f, radius);
-    x->is_deep = x->count > 0 && x->least < -DEEP * radius;
+    x->is_deep = x->count > 0 && x->least < -CONTACT_DEEP * radius;
 }
 
 // Is x the contact y of the frame before, with the same points?
@@ -153,7 +150,7 @@ static void list_colors(contact_solver *s, const int end[BINS])
 
 //> solver-prepare
 // Asked of memory so many before it is needed.
-enum { AHEAD = 4 };                         // tuned, contacts
+enum { AHEAD = 8 };                         // tuned, contacts
 
 static void activate_chunk(void *data, int item)
 {
@@ -402,17 +399,10 @@ void solver_scale(contact_solver *s, real times)
 
 //> solver-store
 //>   The impulses go back to the contacts that they came from.
-static void clear_impulses(contact *c)
-{
-    for (int j = 0; j < c->count; j++) c->impulse[j] = 0;
-    c->friction = (vec3){ 0, 0, 0 };
-    c->twist = 0;
-}
-
 static void store_lane(const block *k, int l, active_contact *x, contact *c)
 {
     real sign = x->is_swapped ? -1 : 1, load = 0;
-    clear_impulses(c);
+    contact_clear(c);
     for (int j = 0; j < x->count; j++) {
         c->impulse[x->point[j]] = real4_get(&k->point[j].impulse, l);
         load += c->impulse[x->point[j]];
@@ -439,7 +429,7 @@ static void clear_chunk(void *data, int item)
     int end = q->s->first + task_end(item, q->s->end - q->s->first);
     for (int k = q->s->first + task_first(item); k < end; k++) {
         if (q->s->active[k].count > 0) continue;
-        clear_impulses(q->table[k]);
+        contact_clear(q->table[k]);
         q->s->active[k].load = 0;
     }
 }
@@ -447,12 +437,11 @@ static void clear_chunk(void *data, int item)
 // No contact is in two blocks.
 static void store_chunk(void *data, int item)
 {
-    enum { BLOCKS_AHEAD = 2 };              // tuned, blocks: asked of memory
     const storing *q = data;
     int end = task_end(item, q->s->blocks);
     for (int n = item * TASK_CHUNK; n < end; n++) {
         const block *x = &q->s->block[n];
-        const block *next = &q->s->block[int_min(n + BLOCKS_AHEAD, end - 1)];
+        const block *next = &q->s->block[int_min(n + AHEAD / REAL4, end - 1)];
         for (int l = 0; l < REAL4; l++) {
             int k = x->contact[l], then = next->contact[l];
             if (then >= 0) contact_expect(q->table[then]);
@@ -471,7 +460,7 @@ void solver_store(contact_solver *s, tasks run, contact *const *table)
 // Blocks are not good for the next frame, either.
 void solver_forget(contact_solver *s, contact *const *table, int k)
 {
-    clear_impulses(table[k]);
+    contact_clear(table[k]);
     s->active[k].load = 0;
     s->h = 0;
 }
@@ -539,14 +528,6 @@ bool solver_take_new(contact_solver *s, const solver_frame *f,
 
 //> solver-init
 //>   Memory: made once, grown between frames, given back.
-status solver_init(contact_solver *s, int bodies)
-{
-    *s = (contact_solver){ .contacts = 0 };
-    status done = solver_grow(s, bodies);
-    if (!done.ok) solver_free(s);
-    return done;
-}
-
 // Blocks may be kept for the next frame: their spare is another then.
 static void move_spare(contact_solver *s, int spare)
 {

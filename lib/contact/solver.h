@@ -11,11 +11,8 @@
 //<
 
 //> solver-declare
-// An empty solver for so many bodies.  Fails, leaving *s empty, for want of
-// memory.
-status solver_init(contact_solver *s, int bodies);
-// For more of them, if there were fewer: s->room, in the end.  Fails, changing
-// nothing.
+// Room for so many bodies, if there was less: s->room, in the end.  A zeroed solver
+// has none.  Fails, changing nothing, for want of memory.
 status solver_grow(contact_solver *s, int bodies);
 void   solver_free(contact_solver *s);      // an empty or zeroed one is fine
 

@@ -43,15 +43,6 @@ const rigid_frame JOINT_WORLD = {
     { 0, 0, 0 }, { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }
 };
 
-// The axes of a frame are perpendicular, so each coordinate is found alone.
-static vec3 local_of(const rigid_frame *f, vec3 r)
-{
-    const vec3 *axis = f->axis;
-    return vec3_make(vec3_dot(r, axis[0]) / vec3_length_squared(axis[0]),
-                     vec3_dot(r, axis[1]) / vec3_length_squared(axis[1]),
-                     vec3_dot(r, axis[2]) / vec3_length_squared(axis[2]));
-}
-
 static vec3 direction(const rigid_frame *f, vec3 local)
 {
     return vec3_sub(frame_point(f, local), f->center);
@@ -70,8 +61,8 @@ static void set_axes(joint *j, const rigid_frame *a, const rigid_frame *b,
                      const vec3 axis[JOINT_AXES])
 {
     for (int i = 0; i < JOINT_AXES; i++) {
-        j->axis_a[i] = local_of(a, axis[i]);
-        j->axis_b[i] = local_of(b, axis[i]);
+        j->axis_a[i] = frame_local(a, axis[i]);
+        j->axis_b[i] = frame_local(b, axis[i]);
     }
 }
 
@@ -98,9 +89,9 @@ joint joint_make(const joint_plan *p, const rigid_frame *a,
         axis[0] = vec3_unit(p->axis);
         choose_across(axis[0], &axis[1], &axis[2]);
     }
-    j.local_a = local_of(a, vec3_sub(p->point, a->center));
-    j.local_b = local_of(b, vec3_sub(has_two ? p->point_b : p->point,
-                                     b->center));
+    j.local_a = frame_local(a, vec3_sub(p->point, a->center));
+    j.local_b = frame_local(b, vec3_sub(has_two ? p->point_b : p->point,
+                                        b->center));
     set_axes(&j, a, b, axis);
     return j;
 }
@@ -245,6 +236,11 @@ static void lock_errors(const joint *j, const rigid_frame *a,
     if (n == 3) e[n] = 0;
 }
 
+static void put_three(real e[3], vec3 v)
+{
+    e[0] = v.x, e[1] = v.y, e[2] = v.z;
+}
+
 // What is left until the limit, of an angle or a length; of a drive its place.
 static real room(const joint *j, const joint_rows *r, real value)
 {
@@ -257,48 +253,39 @@ static void slider_errors(const joint *j, const joint_rows *r,
                           const rigid_frame *a, const rigid_frame *b, vec3 gap,
                           real e[JOINT_ROWS])
 {
-    vec3 tilt = twist_between(j, a, b);
     e[0] = vec3_dot(gap, direction(a, j->axis_a[1]));
     e[1] = vec3_dot(gap, direction(a, j->axis_a[2]));
-    e[2] = tilt.x;
-    e[3] = tilt.y;
-    e[4] = tilt.z;
+    put_three(e + 2, twist_between(j, a, b));
     e[5] = room(j, r, -vec3_dot(gap, direction(a, j->axis_a[0])));
+}
+
+static void hinge_errors(const joint *j, const joint_rows *r,
+                         const rigid_frame *a, const rigid_frame *b,
+                         real e[JOINT_ROWS])
+{
+    vec3 tilt = vec3_cross(direction(b, j->axis_b[0]),
+                           direction(a, j->axis_a[0]));
+    for (int k = 0; k < 2; k++) e[3 + k] = vec3_dot(tilt, r->across[k]);
+    if (j->is_limited || j->is_driven)
+        e[5] = room(j, r, joint_angle(j, a, b));
+}
+
+static real distance_error(const joint *j, const joint_rows *r, real length)
+{
+    bool is_held = !j->is_limited && !j->is_driven;
+    return is_held ? length - j->most : room(j, r, length);
 }
 
 static void errors(const joint *j, const joint_rows *r, const rigid_frame *a,
                    const rigid_frame *b, vec3 gap, real e[JOINT_ROWS])
 {
-    vec3 tilt = { 0, 0, 0 };
-    e[0] = gap.x;
-    e[1] = gap.y;
-    e[2] = gap.z;
-    if (j->kind == JOINT_BALL) {
-        if (j->is_coned) cone_errors(j, r, a, b, e);
-        return;
-    }
-    if (j->kind == JOINT_DISTANCE) {
-        real length = vec3_length(gap);
-        bool is_held = !j->is_limited && !j->is_driven;
-        e[0] = is_held ? length - j->most : room(j, r, length);
-        return;
-    }
-    if (j->kind == JOINT_SLIDER) slider_errors(j, r, a, b, gap, e);
-    if (j->kind == JOINT_LOCK) lock_errors(j, a, b, gap, e);
-    if (j->kind == JOINT_SLIDER || j->kind == JOINT_LOCK) return;
-    if (j->kind == JOINT_FIXED) tilt = twist_between(j, a, b);
-    if (j->kind == JOINT_HINGE)
-        tilt = vec3_cross(direction(b, j->axis_b[0]),
-                          direction(a, j->axis_a[0]));
-    if (j->kind == JOINT_HINGE) {
-        for (int k = 0; k < 2; k++) e[3 + k] = vec3_dot(tilt, r->across[k]);
-        if (j->is_limited || j->is_driven)
-            e[5] = room(j, r, joint_angle(j, a, b));
-        return;
-    }
-    e[3] = tilt.x;
-    e[4] = tilt.y;
-    e[5] = tilt.z;
+    put_three(e, gap);
+    if (j->is_coned)                cone_errors(j, r, a, b, e);
+    if (j->kind == JOINT_DISTANCE)  e[0] = distance_error(j, r, vec3_length(gap));
+    if (j->kind == JOINT_SLIDER)    slider_errors(j, r, a, b, gap, e);
+    if (j->kind == JOINT_LOCK)      lock_errors(j, a, b, gap, e);
+    if (j->kind == JOINT_HINGE)     hinge_errors(j, r, a, b, e);
+    if (j->kind == JOINT_FIXED)     put_three(e + 3, twist_between(j, a, b));
 }
 
 void joint_errors(const joint *j, const joint_rows *r, const rigid_frame *a,
@@ -348,16 +335,21 @@ static real choose_limit(joint_rows *r, const joint *j, real place)
     return r->is_upper ? -1 : 1;
 }
 
-// Both impulses act in the middle between the two points: what one body gains
-// of angular momentum the other loses.
+// Both impulses act at one point: what one body gains of angular momentum the
+// other loses.
+static void go_apart(joint_rows *r, int k, const joint_side *a,
+                     const joint_side *b, vec3 at, vec3 d)
+{
+    go_along(r->a[k], a, vec3_sub(at, a->frame.center), d, 1);
+    go_along(r->b[k], b, vec3_sub(at, b->frame.center), d, -1);
+}
+
+// That is the middle between the two points.
 static void find_point_rows(joint_rows *r, const joint_side *a,
                             const joint_side *b, vec3 on_a, vec3 on_b)
 {
     vec3 middle = vec3_scale(0.5, vec3_add(on_a, on_b));
-    for (int k = 0; k < 3; k++) {
-        go_along(r->a[k], a, vec3_sub(middle, a->frame.center), AXIS[k], 1);
-        go_along(r->b[k], b, vec3_sub(middle, b->frame.center), AXIS[k], -1);
-    }
+    for (int k = 0; k < 3; k++) go_apart(r, k, a, b, middle, AXIS[k]);
     r->held = 3;
 }
 
@@ -389,14 +381,6 @@ static void find_cone_rows(joint_rows *r, const joint *j, const joint_side *a,
     real sign = r->is_upper ? 1 : -1;
     turn_apart(r, 3, a, b, vec3_scale(length > 0 ? -1 / length : 0, lean));
     turn_apart(r, 4, a, b, vec3_scale(more > 0 ? sign / more : 0, sum));
-}
-
-// Both impulses act at one point, so angular momentum stays.
-static void go_apart(joint_rows *r, int k, const joint_side *a,
-                     const joint_side *b, vec3 at, vec3 d)
-{
-    go_along(r->a[k], a, vec3_sub(at, a->frame.center), d, 1);
-    go_along(r->b[k], b, vec3_sub(at, b->frame.center), d, -1);
 }
 
 static void find_slider_rows(joint_rows *r, const joint *j, const joint_side *a,

@@ -14,7 +14,7 @@ typedef struct {
     vec3 way;           // m
     sphere around;      // the thing, before it goes; of one that turns, about its
     unsigned mask;      // centre of mass
-    tumble_vec3 turn;   // rad; zero: it does not
+    vec3 turn;          // rad; zero: it does not
 } question;
 
 // The hull of body b of the engine where it stands; its vertices go to at.
@@ -67,77 +67,32 @@ static void take(tumble_hit *best, const cast_result *r, tumble_body b)
 //<
 
 //> face-ask-turning
-//>   What turns is asked where it is, again and again. However it turns, no point of
-//>   it comes nearer to what it meets, along the line that parts them, than the way
-//>   and the arc of its outermost point bring it. So it may go on by that much
-//>   (Mirtich 1996).
-static const real TURNING_FINE = 1e-6;  // of the way and the sizes
-enum { TURNING_CAP = 512 };             // distances, at most
-
-// Where the thing is after a share t of its way.
-static rounded thing_at(const question *q, real t, vec3 *at)
+//>   What turns is asked as chapter 15 asks it. What is behind a plane is a hull as
+//>   any other, as large as the thing may need it.
+static rounded behind(const question *q, const plane *p, vec3 at[4])
 {
-    rounded a = q->thing;
-    real whole = vec3_length(from_user(q->turn));
-    tumble_quat turn = tumble_turn(q->turn, t * whole);
-    vec3 center = vec3_add_scaled(q->around.center, t, q->way);
-    for (int k = 0; k < a.core.count; k++) {
-        vec3 arm = vec3_sub(a.core.at[k], q->around.center);
-        at[k] = vec3_add(center, from_user(tumble_rotate(turn, to_user(arm))));
-    }
-    return (rounded){ { at, a.core.count }, a.round };
-}
-
-// The way out of what is met, or of a plane, if there is one.
-static cast_result gap_between(rounded a, rounded b, const plane *p)
-{
-    real away = HUGE_VAL;
-    if (!p) {
-        gjk_result g = gjk_distance(a.core, b.core, HUGE_VAL, NULL);
-        real length = vec3_length(g.axis);
-        vec3 out = vec3_scale(length > 0 ? 1 / length : 0, g.axis);
-        bool is_in = g.status == GJK_OVERLAP;
-        return (cast_result){ g.status != GJK_NOT_FINITE,
-                              is_in ? -1 : g.distance - a.round - b.round,
-                              vec3_add_scaled(g.on_b, b.round, out), out };
-    }
-    cast_result r = { .hits = true, .normal = p->normal };
-    for (int k = 0; k < a.core.count; k++) {
-        real height = vec3_dot(a.core.at[k], p->normal) - p->offset - a.round;
-        if (!(height < away)) continue;
-        away = height;
-        r.point = vec3_add_scaled(a.core.at[k], -a.round - height, p->normal);
-    }
-    r.fraction = away;
-    return r;
-}
-
-static cast_result cast_turning(const question *q, rounded b, const plane *p,
-                                vec3 *scratch)
-{
-    real arc = vec3_length(from_user(q->turn)) * q->around.radius;
-    real size = q->around.radius + (p ? 0 : ball_around(b).radius), t = 0;
-    real fine = TURNING_FINE * (vec3_length(q->way) + size);
-    cast_result r = { .hits = false };
-    for (int k = 0; k < TURNING_CAP; k++) {
-        r = gap_between(thing_at(q, t, scratch), b, p);
-        real closing = arc - vec3_dot(q->way, r.normal);
-        if (!r.hits) return r;
-        if (!(r.fraction > fine)) break;
-        r.hits = closing > 0 && t + r.fraction / closing <= 1;
-        if (!r.hits) return r;
-        t += r.fraction / closing;
-    }
-    r.fraction = t;
-    return r;
+    vec3 n = p->normal, center = q->around.center;
+    real height = vec3_dot(center, n) - p->offset;
+    real far = 8 * (q->around.radius + vec3_length(q->way) + fabs(height));
+    vec3 other = { fabs(n.x) < 0.5, fabs(n.x) >= 0.5, 0 };
+    vec3 x = vec3_scale(far, vec3_unit(vec3_cross(n, other)));
+    vec3 y = vec3_cross(n, x), foot = vec3_add_scaled(center, -height, n);
+    at[0] = vec3_add(foot, x);
+    at[1] = vec3_add(vec3_add_scaled(foot, -0.5, x), y);
+    at[2] = vec3_sub(vec3_add_scaled(foot, -0.5, x), y);
+    at[3] = vec3_add_scaled(foot, -far, n);
+    return (rounded){ { at, 4 }, 0 };
 }
 
 // Where it first meets b, or the plane.
 static cast_result first_of(const question *q, rounded b, const plane *p,
                             vec3 *scratch)
 {
-    bool turns = vec3_length(from_user(q->turn)) > 0;
-    if (turns) return cast_turning(q, b, p, scratch);
+    const swept_motion m = { q->around.center, q->way, q->turn,
+                             q->around.radius - q->thing.round };
+    vec3 at[4];
+    if (vec3_length(q->turn) > 0)
+        return cast_turning(q->thing, &m, p ? behind(q, p, at) : b, scratch);
     return p ? cast_first_plane(q->thing, q->way, *p)
              : cast_first(q->thing, q->way, b, scratch);
 }
@@ -281,8 +236,9 @@ bool tumble_sweep_turning(const tumble_world *w, tumble_shape s,
                           tumble_pose pose, tumble_vec3 way, tumble_vec3 turn,
                           unsigned mask, tumble_hit *hit)
 {
-    question q = { .way = from_user(way), .mask = mask, .turn = turn };
-    if (!stand(w, s, pose, &q) || !vec3_is_finite(from_user(turn))) return false;
+    question q = { .way = from_user(way), .mask = mask,
+                   .turn = from_user(turn) };
+    if (!stand(w, s, pose, &q) || !vec3_is_finite(q.turn)) return false;
     vec3 center = from_user(pose.position);
     q.around.radius += vec3_distance(q.around.center, center);
     q.around.center = center;

@@ -24,6 +24,17 @@ static real size_of(rounded r)
     return most + r.round;
 }
 
+static cast_result met(const swept_result *s, rounded a, vec3 way, rounded b)
+{
+    if (s->status == SWEPT_OVERLAP)
+        return (cast_result){ true, 0, a.core.at[0],
+                              unit(vec3_scale(-1, way)) };
+    if (s->status == SWEPT_PASSES || s->status == SWEPT_NOT_FINITE)
+        return (cast_result){ .hits = false };
+    vec3 surface = vec3_add_scaled(s->on_b, b.round, s->normal);
+    return (cast_result){ true, s->time, surface, s->normal };
+}
+
 cast_result cast_first(rounded a, vec3 way, rounded b, vec3 *scratch)
 {
     real apart = a.round + b.round;
@@ -31,13 +42,17 @@ cast_result cast_first(rounded a, vec3 way, rounded b, vec3 *scratch)
     swept_result s = { .status = SWEPT_NOT_FINITE };
     if (fine > 0)
         s = swept_first_touch(a.core, way, b.core, apart, fine, scratch);
-    if (s.status == SWEPT_OVERLAP)
-        return (cast_result){ true, 0, a.core.at[0],
-                              unit(vec3_scale(-1, way)) };
-    if (s.status == SWEPT_PASSES || s.status == SWEPT_NOT_FINITE)
-        return (cast_result){ .hits = false };
-    vec3 surface = vec3_add_scaled(s.on_b, b.round, s.normal);
-    return (cast_result){ true, s.time, surface, s.normal };
+    return met(&s, a, way, b);
+}
+
+cast_result cast_turning(rounded a, const swept_motion *m, rounded b,
+                         vec3 *scratch)
+{
+    const swept_motion stays = { .out = 0 };
+    real fine = 1e-6 * (vec3_length(m->way) + m->out + a.round);
+    swept_result s = swept_turning(a.core, m, b.core, &stays,
+                                   a.round + b.round, fine, scratch);
+    return met(&s, a, m->way, b);
 }
 //<
 

@@ -29,14 +29,18 @@ typedef struct {
 //<
 
 //> cast-declare
-//>   Five questions can be asked: two of them about a moving body, three about
+//>   Six questions can be asked: three of them about a moving body, three about
 //>   one that stands still.
 // Where does a, which goes straight by `way` without turning, first touch b?
 // To 1e-12 of the way and the sizes.  What overlaps at the start is met at 0.
 // What is not finite meets nothing.  scratch: room for the points of both.
 cast_result cast_first(rounded a, vec3 way, rounded b, vec3 *scratch);
 
-// The same with what is behind a plane.
+// The same of one that goes and turns, to a millionth of the way and its size.
+cast_result cast_turning(rounded a, const swept_motion *m, rounded b,
+                         vec3 *scratch);
+
+// What goes straight, with what is behind a plane.
 cast_result cast_first_plane(rounded a, vec3 way, plane p);
 
 // The point of b nearest to x, if it is no further away than most (m); x itself

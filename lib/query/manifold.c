@@ -750,10 +750,7 @@ static int choose_widest(const meetings *m, vec3 first, touch *out)
     return n;
 }
 
-// Bodies that turn by more than this (rad) come to touch where they are nearest,
-// or will be: corners that stay open by more than that give way to the others.
-static const real TURNING = 0.05;           // tuned, rad
-
+// Corners that stay open give way to the others.
 static void drop_open(meetings *m, real turn)
 {
     int deepest = 0, n = 0;
@@ -797,7 +794,7 @@ static int keep(meetings *m, const touch *pair, const view *w, real turn,
                 touch out[MANIFOLD_POINTS])
 {
     out[0] = *pair;
-    if (turn > TURNING && m->count > MANIFOLD_POINTS) drop_open(m, turn);
+    if (turn > MANIFOLD_TURN && m->count > MANIFOLD_POINTS) drop_open(m, turn);
     return m->count > 1 ? choose(m, pair, w->slack, out) : 1;
 }
 

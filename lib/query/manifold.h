@@ -51,6 +51,12 @@ manifold manifold_find(const collider *a, const collider *b,
 manifold manifold_on_plane(const collider *a, vec3 normal, real offset,
                            real margin, real turn);
 
+// A rim of many corners holds four of them: between those a body that turns sinks by
+// a third of its radius times how far it turned, at most.  One that turns by more
+// than this is asked again; and where it is to turn by more, it will touch where it
+// is nearest.  (Coins sink twice as deep with twice as much, and no less with half.)
+static const real MANIFOLD_TURN = 0.05;     // tuned, rad
+
 // Does face f of a body with vertices at `at` look along the unit vector d, to
 // within 8 degrees (cosine squared 0.98)?
 int face_looks(const shape *s, const vec3 *at, int f, vec3 d);

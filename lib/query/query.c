@@ -95,13 +95,3 @@ query_result query_nearest(const collider *a, const collider *b, real margin,
     return apart_result(&g, round);
 }
 //<
-
-//> query-apart
-bool query_apart(const collider *a, const collider *b, real margin,
-                 separating_axis *carried)
-{
-    if (!(margin >= 0) || !is_in_range(a) || !is_in_range(b)) return false;
-    hull_mesh ma = mesh_of(a), mb = mesh_of(b);
-    return search_apart(&ma, &mb, margin + query_round(a, b), carried);
-}
-//<

@@ -60,11 +60,6 @@ void query_features(const simplex *s, feature_point *a, feature_point *b);
 // The convex hull of a body's vertices.
 hull query_hull(const collider *c);
 
-// Are a and b, at their surfaces, further apart than margin (m, >= 0)?  Says no
-// if they or the margin are NaN or out of range.  carried: see search_apart.
-bool query_apart(const collider *a, const collider *b, real margin,
-                 separating_axis *carried);
-
 // m, the sum of the radii around the cores of two; 0 unless they are round.
 real query_round(const collider *a, const collider *b);
 

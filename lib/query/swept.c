@@ -148,16 +148,24 @@ swept_result swept_first_touch(hull a, vec3 way, hull b, real apart,
 //>   A body that turns by $`\varphi`$ turns a vector $`r`$ to $`r + s\,(\varphi
 //>   \times r) + c\,(\varphi \times (\varphi \times r))`$ (Rodrigues), with $`s =
 //>   \sin|\varphi| / |\varphi|`$ and $`c = (1 - \cos|\varphi|) / |\varphi|^2`$. Both
-//>   are series in the square of the angle, without a sine.
+//>   are series in the square of the angle, without a sine; a large angle is halved
+//>   until it is small, and doubled again.
 void swept_place(hull h, const swept_motion *m, real t, vec3 *out)
 {
     enum { TERMS = 10 };        // good to 1e-9 at 3 rad
     vec3 turn = vec3_scale(t, m->turn);
     vec3 center = vec3_add_scaled(m->center, t, m->way);
     real square = vec3_length_squared(turn), s = 1, c = 1;
+    int halved = 0;
+    for (; square > 9 && halved < 64; halved++) square /= 4;
     for (int k = 2 * TERMS; k > 0; k -= 2) {
         s = 1 - square / (k * (k + 1)) * s;
         c = 1 - square / ((k + 1) * (k + 2)) * c;
+    }
+    for (; halved > 0; halved--, square *= 4) {
+        real cosine = 1 - square * c / 2;
+        c = s * s;
+        s *= cosine;
     }
     for (int i = 0; i < h.count; i++) {
         vec3 r = vec3_sub(h.at[i], m->center), once = vec3_cross(turn, r);
@@ -187,7 +195,7 @@ swept_result swept_turning(hull a, const swept_motion *of_a, hull b,
 {
     const hull now = { scratch, a.count }, other = { scratch + a.count, b.count };
     swept_result r = { .status = SWEPT_CAPPED };
-    while (r.iterations < SWEPT_CAP) {
+    while (r.iterations < TURNING_CAP) {
         swept_place(a, of_a, r.time, scratch);
         swept_place(b, of_b, r.time, scratch + a.count);
         gjk_result g = gjk_distance(now, other, HUGE_VAL, &r.last);

@@ -63,7 +63,7 @@ swept_result swept_first_touch(hull a, vec3 way, hull b, real apart,
 typedef struct {
     vec3 center;        // m, at the start
     vec3 way;           // m, in the frame
-    vec3 turn;          // rad, in the frame, by the right-hand rule; at most 3
+    vec3 turn;          // rad, in the frame, by the right-hand rule
     real out;           // m, its furthest point from the centre
 } swept_motion;
 
@@ -71,6 +71,9 @@ typedef struct {
 void swept_place(hull h, const swept_motion *m, real t, vec3 *out);
 
 // When hulls that go so first come as near as apart, as swept_first_touch says.
+// Where they touch far inside of `out`, each distance brings them a small part
+// nearer.
+enum { TURNING_CAP = 512 };     // distances, at most
 swept_result swept_turning(hull a, const swept_motion *of_a, hull b,
                            const swept_motion *of_b, real apart, real tolerance,
                            vec3 *scratch);

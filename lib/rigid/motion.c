@@ -55,12 +55,10 @@ motion motion_make(const motion_basis *basis, vec3 velocity, vec3 spin)
 //>   An impulse at a point changes all six.
 void motion_push(motion *m, const motion_basis *basis, vec3 arm, vec3 impulse)
 {
-    vec3 moment = vec3_cross(arm, impulse);
     m->of[0] += basis->inverse_mass * impulse.x;
     m->of[1] += basis->inverse_mass * impulse.y;
     m->of[2] += basis->inverse_mass * impulse.z;
-    for (int t = 0; t < TURNS; t++)
-        m->of[MOTION_TURN + t] += vec3_dot(basis->turn[t], moment);
+    motion_twist(m, basis, vec3_cross(arm, impulse));
 }
 
 real motion_energy(const motion_basis *basis, const motion *m)
@@ -147,20 +145,18 @@ static vec3 turned_often(vec3 t, int times, vec3 x)
     return vec3_add_scaled(x, 1 - cosine, vec3_cross(axis, once));
 }
 
-// In several moves, if it turns far.
 rigid_frame motion_frame(const rigid_frame *frame, const motion_basis *basis,
                          const motion *d)
 {
-    enum { A_FEW = 8 };     // tuned, moves: are quicker one by one
     vec3 straight = { d->of[0], d->of[1], d->of[2] };
     int moves = moves_of(basis, d);
     vec3 turn = vec3_scale(1.0 / moves, motion_rotation(basis, d));
     vec3 half = half_tangent(turn);
     rigid_frame now = *frame;
     now.center = vec3_add(frame->center, straight);
-    for (int i = 0; i < FOUR_AXES && moves > A_FEW; i++)
+    if (moves == 1) turn_axes(&now, half, -1);
+    for (int i = 0; i < FOUR_AXES && moves > 1; i++)
         now.axis[i] = turned_often(half, moves, now.axis[i]);
-    for (int k = 0; k < moves && moves <= A_FEW; k++) turn_axes(&now, half, -1);
     return now;
 }
 //<

@@ -89,6 +89,18 @@ static inline void motion_twist(motion *m, const motion_basis *basis,
         m->of[MOTION_TURN + t] += vec3_dot(basis->turn[t], moment);
 }
 
+// What answers a unit impulse whose moments are those: 1/kg, or 1/(kg m^2); sum:
+// what answers beside the turns of this body.
+static inline real motion_answer(real sum, const motion_basis *basis,
+                                 vec3 moment)
+{
+    for (int t = 0; t < TURNS; t++) {
+        real row = vec3_dot(basis->turn[t], moment);
+        sum += row * row;
+    }
+    return sum;
+}
+
 static inline void motion_add(motion *m, const motion *more)
 {
     for (int i = 0; i < MOTIONS; i++) m->of[i] += more->of[i];

@@ -178,14 +178,6 @@ static void place_four(rigid4 *f, const shape *s, const rigid_solid *q,
     f->turns_right = turns_right(f->at[0], f->at[1], f->at[2], f->at[3]);
 }
 
-// The frame's axes are perpendicular, so each coordinate is found alone.
-static vec3 local_of(const vec3 axis[AXES], vec3 r)
-{
-    return vec3_make(vec3_dot(r, axis[0]) / vec3_length_squared(axis[0]),
-                     vec3_dot(r, axis[1]) / vec3_length_squared(axis[1]),
-                     vec3_dot(r, axis[2]) / vec3_length_squared(axis[2]));
-}
-
 // A turn about axis i moves particles across it by what they are off it: the
 // moment of inertia is 4 mass (y_j^2 + y_k^2), j and k being the other two.  A
 // turn of c y_i, an angle of c |y_i|, has an energy of (c |y_i|)^2 inertia / 2;
@@ -214,9 +206,9 @@ status rigid4_build(rigid4 *f, const shape *s)
     if (!(q.volume > 0) || !root_of(q.spread, root))
         return status_fail("a body of %d vertices is too thin to be solid",
                            s->particles);
-    vec3 axis[AXES];
-    find_axes(root, axis);
-    place_four(f, s, &q, axis);
+    rigid_frame rest = { .center = q.center };
+    find_axes(root, rest.axis);
+    place_four(f, s, &q, rest.axis);
     find_turns(f);
     f->local = malloc((size_t)s->particles * sizeof *f->local);
     if (!f->local) {
@@ -225,7 +217,7 @@ status rigid4_build(rigid4 *f, const shape *s)
     }
     for (int v = 0; v < s->particles; v++) {
         vec3 r = vec3_sub(s->at[v], f->center);
-        f->local[v] = local_of(axis, r);
+        f->local[v] = frame_local(&rest, r);
         f->middle = vec3_add_scaled(f->middle, 1.0 / s->particles, f->local[v]);
         f->span = vec3_make(real_max(f->span.x, fabs(f->local[v].x)),
                             real_max(f->span.y, fabs(f->local[v].y)),
@@ -242,17 +234,6 @@ status rigid4_build(rigid4 *f, const shape *s)
 void rigid4_ride(const rigid4 *f, const rigid_frame *frame, vec3 *at, int n)
 {
     for (int v = 0; v < n; v++) at[v] = frame_point(frame, f->local[v]);
-}
-
-// (Sums and differences of the particles at rest are four times the axes.)
-vec3 rigid4_local(const rigid4 *f, vec3 at)
-{
-    vec3 axis[AXES] = { { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 } };
-    for (int i = 0; i < AXES; i++)
-        for (int k = 0; k < FOUR; k++)
-            axis[i] = vec3_add_scaled(axis[i], FOUR_SIGN[k][i] / FOUR,
-                                      f->at[k]);
-    return local_of(axis, vec3_sub(at, f->center));
 }
 
 int rigid4_is_mirrored(const rigid4 *f, const particle *p)
@@ -286,5 +267,12 @@ rigid_frame rigid4_frame(const particle *p)
     return (rigid_frame){ vec3_scale(0.25, f.middle),
         { vec3_scale(0.25, f.y[0]), vec3_scale(0.25, f.y[1]),
           vec3_scale(0.25, f.y[2]) } };
+}
+
+rigid_frame rigid4_rest(const rigid4 *f)
+{
+    particle p[FOUR];
+    for (int k = 0; k < FOUR; k++) p[k] = (particle){ .position = f->at[k] };
+    return rigid4_frame(p);
 }
 //<

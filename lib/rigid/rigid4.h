@@ -67,24 +67,37 @@ extern const real FOUR_SIGN[FOUR][FOUR_AXES];
 // The frame of four particles.
 rigid_frame rigid4_frame(const particle *p);
 
-// The coordinates in such a frame of a point (m) of the shape.
-vec3 rigid4_local(const rigid4 *f, vec3 at);
+// The same of those of the shape, at rest.
+rigid_frame rigid4_rest(const rigid4 *f);
 
-// The arm (m, from the centre) of particle k.
-static inline vec3 frame_arm(const rigid_frame *f, int k)
+// The vector (m) with these coordinates in a frame, and the coordinates of a
+// vector: the axes are perpendicular, so each is found alone.
+static inline vec3 frame_vector(const rigid_frame *f, vec3 local)
 {
-    const real *t = FOUR_SIGN[k];
-    return vec3_add_scaled(vec3_add_scaled(vec3_scale(t[0], f->axis[0]),
-                                           t[1], f->axis[1]),
-                           t[2], f->axis[2]);
+    return vec3_add_scaled(vec3_add_scaled(vec3_scale(local.x, f->axis[0]),
+                                           local.y, f->axis[1]),
+                           local.z, f->axis[2]);
+}
+
+static inline vec3 frame_local(const rigid_frame *f, vec3 r)
+{
+    const vec3 *axis = f->axis;
+    return vec3_make(vec3_dot(r, axis[0]) / vec3_length_squared(axis[0]),
+                     vec3_dot(r, axis[1]) / vec3_length_squared(axis[1]),
+                     vec3_dot(r, axis[2]) / vec3_length_squared(axis[2]));
 }
 
 // The point with these coordinates in a frame.
 static inline vec3 frame_point(const rigid_frame *f, vec3 local)
 {
-    return vec3_add(f->center, vec3_add_scaled(vec3_add_scaled(
-        vec3_scale(local.x, f->axis[0]), local.y, f->axis[1]),
-        local.z, f->axis[2]));
+    return vec3_add(f->center, frame_vector(f, local));
+}
+
+// The arm (m, from the centre) of particle k.
+static inline vec3 frame_arm(const rigid_frame *f, int k)
+{
+    const real *t = FOUR_SIGN[k];
+    return frame_vector(f, vec3_make(t[0], t[1], t[2]));
 }
 
 // Where the n vertices stand, when the particles stand as the frame says.

@@ -50,13 +50,8 @@ static touch_point touch_of(const touch *x, const particle *p)
 static real answer(const motion_basis *basis, const particle *p, vec3 arm,
                    vec3 d)
 {
-    vec3 moment = vec3_cross(arm, d);
-    real sum = p->inverse_mass + basis->inverse_mass;
-    for (int t = 0; t < TURNS; t++) {
-        real row = vec3_dot(basis->turn[t], moment);
-        sum += row * row;
-    }
-    return sum;
+    return motion_answer(p->inverse_mass + basis->inverse_mass, basis,
+                         vec3_cross(arm, d));
 }
 
 // A part of the overlap is older than this substep: the particle, and the body,

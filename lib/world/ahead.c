@@ -58,13 +58,9 @@ static prediction predict(const world *w, int b, real dt)
 // A body that turns comes to touch with other corners than those that are near
 // when it is asked.  So it is asked as it will stand in the middle of the time:
 // where it is, but turned by half of what it turns; by less, if that is more
-// than TURNED (rad), for it is asked again then; not at all, if it is less than
+// than MANIFOLD_TURN (rad), for it is asked again then; not at all, if it is less than
 // NO_TURN, as of what lies.
 static const real NO_TURN = 0.01;           // tuned, rad
-// A rim of many corners holds four of them: between those it sinks by a third of
-// its radius times how far it turned, at most.  (Coins sink twice as deep with
-// twice as much, and no less with half.)
-static const real TURNED = 0.05;            // tuned, rad
 
 static rigid_frame find_middle(const world *w, int b, real seconds)
 {
@@ -74,7 +70,7 @@ static rigid_frame find_middle(const world *w, int b, real seconds)
     motion half = { { 0 } };
     seconds /= 2;
     if (turn < NO_TURN) return now->frame;
-    if (turn > 2 * TURNED) seconds *= 2 * TURNED / turn;
+    if (turn > 2 * MANIFOLD_TURN) seconds *= 2 * MANIFOLD_TURN / turn;
     for (int i = MOTION_TURN; i < MOTIONS; i++)
         half.of[i] = seconds * w->rigid.velocity[b].of[i];
     return motion_frame(&now->frame, &now->basis, &half);
@@ -106,15 +102,15 @@ cache_frame ahead_frame(const world *w)
 //> ahead-used
 //>   Has a pair used up what its answer was good for?
 // m: by how much the gap of any point of a body may differ from those of points
-// that were found, for it has turned since; 0 if by no more than what TURNED
-// allows.  What is round touches on its rim however it turned.
+// that were found, for it has turned since; 0 if by no more than
+// MANIFOLD_TURN allows.  What is round touches on its rim however it turned.
 static real find_turned(const world *w, int b)
 {
     const rigid_tables *t = &w->rigid;
     real out = t->now[b].radius - w->body[b].round;
     if (!t->moves[b] || t->going[b] == LIES || !(out > 0)) return 0;
     real gone = out * advance_turned(w, b, &t->cache.placed[b]);
-    return gone > TURNED * width_of(w, b) ? gone : 0;
+    return gone > MANIFOLD_TURN * width_of(w, b) ? gone : 0;
 }
 
 static bool find_all_turned(world *w)

@@ -281,16 +281,6 @@ typedef struct {
     int  exit;          // the face through which it goes out; -1: it stays
 } passage;
 
-// Coordinates in a frame: see frame_point.
-static vec3 frame_local(const rigid_frame *f, vec3 x)
-{
-    vec3 d = vec3_sub(x, f->center);
-    real at[FOUR_AXES];
-    for (int i = 0; i < FOUR_AXES; i++)
-        at[i] = vec3_dot(f->axis[i], d) / vec3_length_squared(f->axis[i]);
-    return vec3_make(at[0], at[1], at[2]);
-}
-
 // Out of the body, whose centre is 0.  (In coordinates of a frame, too: what is
 // on which side of a plane, and where a line meets it, is no question of
 // lengths.)
@@ -380,14 +370,11 @@ static void stop_closing(rigid_tables *t, int small, int large,
 {
     const motion_basis *a = &t->now[small].basis, *b = &t->now[large].basis;
     motion *u = &t->velocity[small], *v = &t->velocity[large];
-    vec3 center = { 0, 0, 0 }, twist = vec3_cross(s->arm, s->normal);
-    real k = a->inverse_mass + b->inverse_mass;
+    vec3 center = { 0, 0, 0 };
+    real k = motion_answer(a->inverse_mass + b->inverse_mass, b,
+                           vec3_cross(s->arm, s->normal));
     real apart = vec3_dot(s->normal, vec3_sub(motion_at(a, u, center),
                                               motion_at(b, v, s->arm)));
-    for (int i = 0; i < TURNS; i++) {
-        real turn = vec3_dot(b->turn[i], twist);
-        k += turn * turn;
-    }
     if (!(apart < 0)) return;
     motion_push(u, a, center, vec3_scale(-apart / k, s->normal));
     motion_push(v, b, s->arm, vec3_scale(apart / k, s->normal));
@@ -396,9 +383,12 @@ static void stop_closing(rigid_tables *t, int small, int large,
 static void stop_passing(rigid_tables *t, int small, int large)
 {
     const rigid_frame *end = &t->now[large].frame;
+    const rigid_frame *began = &t->began[large];
     vec3 to = t->now[small].frame.center;
-    vec3 from = frame_local(&t->began[large], t->began[small].center);
-    passage x = find_passage(&t->body[large], from, frame_local(end, to));
+    vec3 from = frame_local(began, vec3_sub(t->began[small].center,
+                                            began->center));
+    passage x = find_passage(&t->body[large], from,
+                             frame_local(end, vec3_sub(to, end->center)));
     if (x.face < 0 || cuts_corner(&t->body[large], &x)) return;
     lost_side s = side_of(t, large, x.face, end, from, to,
                           t->body[small].inner);

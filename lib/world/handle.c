@@ -6,24 +6,10 @@
 
 #include <assert.h>
 
-// A rigid body's axes in its shape are those of its four particles there.
-static rigid_frame rest_of(const rigid4 *f)
+// The vector d of the shape, in the world.
+static vec3 vector_now(const rigid_frame *now, const rigid_frame *rest, vec3 d)
 {
-    particle p[FOUR];
-    for (int k = 0; k < FOUR; k++) p[k] = (particle){ .position = f->at[k] };
-    return rigid4_frame(p);
-}
-
-// The direction d of the shape, in the world.
-static vec3 direction(const rigid_frame *now, const rigid_frame *rest, vec3 d)
-{
-    vec3 sum = { 0, 0, 0 };
-    for (int i = 0; i < FOUR_AXES; i++) {
-        vec3 a = rest->axis[i];
-        sum = vec3_add_scaled(sum, vec3_dot(a, d) / vec3_length_squared(a),
-                              now->axis[i]);
-    }
-    return sum;
+    return frame_vector(now, frame_local(rest, d));
 }
 
 // Does something hold a rope or a cloth: a nail, a pin, or what does not move?
@@ -57,12 +43,12 @@ static placement where_rigid(const world *w, int b)
 {
     const body *x = &w->body[b];
     const particle *p = w->pool.at + x->first;
-    rigid_frame now = rigid4_frame(p), rest = rest_of(x->rigid);
+    rigid_frame now = rigid4_frame(p), rest = rigid4_rest(x->rigid);
     placement at = placement_at(now.center);
-    at.x = direction(&now, &rest, at.x);
-    at.y = direction(&now, &rest, at.y);
-    at.z = direction(&now, &rest, at.z);
-    vec3 out = direction(&now, &rest, x->rigid->center);
+    at.x = vector_now(&now, &rest, at.x);
+    at.y = vector_now(&now, &rest, at.y);
+    at.z = vector_now(&now, &rest, at.z);
+    vec3 out = vector_now(&now, &rest, x->rigid->center);
     at.position = vec3_sub(now.center, out);
     at.is_static = body_is_static(x);
     if (x->is_kinematic) {

@@ -67,13 +67,6 @@ void hear_impacts(world *w, solver_frame *f)
 //> hear-choose
 //>   What a program does not want in this part of a frame is left out, and carries
 //>   nothing over to the next.
-static void forget_load(contact *c)
-{
-    for (int k = 0; k < CONTACT_POINTS; k++) c->impulse[k] = 0;
-    c->friction = (vec3){ 0, 0, 0 };
-    c->twist = 0;
-}
-
 void hear_choose(world *w)
 {
     contact_cache *cache = &w->rigid.cache;
@@ -82,7 +75,7 @@ void hear_choose(world *w)
     for (int k = 0; k < cache->actives; k++) {
         contact *c = cache->active[k];
         if (c->count > 0 && !host->meets(host->chooser, c)) {
-            forget_load(c);
+            contact_clear(c);
             continue;
         }
         cache->active[kept] = c;

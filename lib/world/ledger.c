@@ -109,10 +109,4 @@ void ledger_go_back(world *w, const ledger_page *to)
     memcpy(w->ledger, to->account, sizeof w->ledger);
     w->ledger_now = to->now;
 }
-
-void ledger_clear(world *w)
-{
-    for (int k = 0; k < LEDGERS; k++)
-        w->ledger[k] = (ledger_entry){ 0, { 0, 0, 0 }, { 0, 0, 0 } };
-}
 //<

@@ -43,9 +43,6 @@ void ledger_go_back(world *w, const ledger_page *to);
 // From where the bodies that are awake have been moved to, the middle of the
 // move that their velocities are of is so far away (s); 0: their particles say.
 void ledger_halfway(world *w, real seconds);
-
-// Empties all accounts.
-void ledger_clear(world *w);
 //<
 
 //> ledger-end

@@ -11,7 +11,6 @@
 static const real RESISTANCE = 0.01;        // tuned, radii
 // Faster ones roll freely: the law of rolling holds for them.
 static const real SLOW = 30;                // tuned, times sleep_speed
-static const real EARTH = 9.81, USUAL = 0.5;    // m/s^2, m: see sleep_rule
 
 // m, of the smaller of the two that is round; 0: neither is.
 static real radius_of(const contact *c)
@@ -22,25 +21,7 @@ static real radius_of(const contact *c)
 
 static real slow_speed(const world_options *o, real radius)
 {
-    real g = vec3_length(o->gravity);
-    return SLOW * o->sleep_speed * sqrt(g * radius / (EARTH * USUAL));
-}
-
-// The answer of a body to a unit turning impulse about d, 1/(kg m^2).
-static real answer(const motion_basis *basis, vec3 d)
-{
-    real sum = 0;
-    for (int t = 0; t < TURNS; t++) {
-        real row = vec3_dot(basis->turn[t], d);
-        sum += row * row;
-    }
-    return sum;
-}
-
-static void turn(motion *m, const motion_basis *basis, vec3 impulse)
-{
-    for (int t = 0; t < TURNS; t++)
-        m->of[MOTION_TURN + t] += vec3_dot(basis->turn[t], impulse);
+    return sleep_scaled(SLOW * o->sleep_speed, vec3_length(o->gravity), radius);
 }
 
 static real speed_across(vec3 u, vec3 normal)
@@ -92,10 +73,10 @@ static void brake(world *w, const contact *c, real load)
         || slip_of(t, c) > RESISTANCE * speed * radius
         || gains_speed(w, c)) return;
     vec3 about = vec3_scale(1 / speed, spin);
-    real stops = speed / (answer(a, about) + answer(b, about));
+    real stops = speed / (motion_answer(0, a, about) + motion_answer(0, b, about));
     vec3 impulse = vec3_scale(real_min(stops, most), about);
-    turn(&t->velocity[c->a], a, vec3_scale(-1, impulse));
-    if (c->b >= 0) turn(&t->velocity[c->b], b, impulse);
+    motion_twist(&t->velocity[c->a], a, vec3_scale(-1, impulse));
+    if (c->b >= 0) motion_twist(&t->velocity[c->b], b, impulse);
 }
 
 static bool has_round(const world *w)

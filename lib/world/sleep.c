@@ -6,26 +6,13 @@
 #include <assert.h>
 #include <stdlib.h>
 
-status sleep_init(sleep_state *s, int bodies, int particles)
-{
-    *s = (sleep_state){ .bodies = 0 };
-    status done = sleep_grow(s, bodies, particles);
-    if (!done.ok) sleep_free(s);
-    return done;
-}
-
 static bool make_room(sleep_state *s, int room, int particles)
 {
     bool ok = true;
     if (room > s->room || !s->parent) {
-        TABLE_GROW(ok, s->parent, s->room, room);
-        TABLE_GROW(ok, s->member, s->room, room);
-        TABLE_GROW(ok, s->takes_part, s->room, room);
-        TABLE_GROW(ok, s->island, s->room, room);
-        TABLE_GROW(ok, s->next, s->room, room);
-        TABLE_GROW(ok, s->asleep, s->room, room);
-        TABLE_GROW(ok, s->is_restless, s->room, room);
-        TABLE_GROW(ok, s->watch, s->room, room);
+#define GROW(table) TABLE_GROW(ok, s->table, s->room, room);
+        SLEEP_TABLES(GROW, GROW)
+#undef GROW
         for (int b = s->room; b < room && ok; b++) s->parent[b] = s->next[b] = b;
         if (ok) s->room = room;
     }
@@ -50,14 +37,9 @@ status sleep_grow(sleep_state *s, int bodies, int particles)
 
 void sleep_free(sleep_state *s)
 {
-    free(s->parent);
-    free(s->member);
-    free(s->takes_part);
-    free(s->island);
-    free(s->next);
-    free(s->asleep);
-    free(s->is_restless);
-    free(s->watch);
+#define FREE(table) free(s->table);
+    SLEEP_TABLES(FREE, FREE)
+#undef FREE
     for (int k = 0; k < WINDOWS; k++) free(s->start[k]);
     *s = (sleep_state){ .bodies = 0 };
 }
@@ -122,16 +104,22 @@ static const real NOISE = 2e-4;             // tuned, radii
 // A mean speed is low while a body rings: at no moment may it be so much higher, nor
 // in a window of what stands.
 static const real JITTER = 5;               // tuned, times the speed
-// So long is it still before it sleeps: time_to_sleep, in halves of its windows.
-enum { HALVES_TO_SLEEP = 4 };       // tuned, half windows
+// So long is it still before it sleeps: for two windows, since one is compared with
+// the one before, and each has two halves.
+enum { HALVES_TO_SLEEP = 4 };
 enum { MOST_FRAMES = 1000000 };
 
 // Froude's scaling: lengths go as R, times as sqrt(R / g), speeds as
 // sqrt(g R), and accelerations as g.
+real sleep_scaled(real speed, real gravity, real radius)
+{
+    return speed * sqrt(gravity * radius / (EARTH * USUAL));
+}
+
 static sleep_limits limits_of(const sleep_rule *rule, real radius)
 {
     real g = rule->gravity, half = rule->time / HALVES_TO_SLEEP;
-    real speed = rule->speed * sqrt(g * radius / (EARTH * USUAL));
+    real speed = sleep_scaled(rule->speed, g, radius);
     if (g > 0) half *= real_max(1, sqrt(radius * EARTH / (USUAL * g)));
     real frames = real_min(half / rule->dt + 0.5, MOST_FRAMES);
     sleep_limits l = { .frames = int_max((int)frames, 1) };

@@ -24,6 +24,9 @@ typedef struct {
     real h;         // s: the particles were at `previous` so long ago
 } sleep_rule;
 
+// Such a speed of the cube, for a body of that radius.
+real sleep_scaled(real speed, real gravity, real radius);
+
 // A window of time, half as long as time_to_sleep.
 typedef struct {
     real way;       // m, the furthest that a particle has been in it from where
@@ -66,14 +69,19 @@ typedef struct {
     vec3 *start[WINDOWS];       // m, [particles] where they were when each
                         // window of their body began
 } sleep_state;
+
+// All that have a place for each body: what a saved world keeps of them, and what
+// each frame begins anew.
+#define SLEEP_TABLES(KEPT, ANEW)                                          \
+    KEPT(island) KEPT(next) KEPT(asleep) KEPT(watch)                      \
+    ANEW(parent) ANEW(member) ANEW(takes_part) ANEW(is_restless)
 //<
 
 //> sleep-declare
 //>   A body has two windows at a time, half a window apart, so that a stop is
 //>   noticed soon.
-// All bodies awake.  Fails, leaving *s empty, if memory is refused.
-status sleep_init(sleep_state *s, int bodies, int particles);
-// More of them, if there were fewer; these are awake.  Fails, changing nothing.
+// Room for so many, if there were fewer; these are awake.  A zeroed state has none.
+// Fails, with the room that there was, if memory is refused.
 status sleep_grow(sleep_state *s, int bodies, int particles);
 void   sleep_free(sleep_state *s);      // an empty or zeroed one is fine
 

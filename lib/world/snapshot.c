@@ -140,15 +140,12 @@ static void linkage_store(linkage *l, store *s)
 //>   Sleep keeps its windows, or a pile would start its count again.
 static void sleep_store(sleep_state *x, store *s)
 {
-    STORE_ROOM(s, x->parent, x->room);
-    STORE_ROOM(s, x->member, x->room);
-    STORE_ZEROS(s, x->takes_part, x->room);
+#define KEPT(table) STORE_TABLE(s, x->table, x->bodies, x->room);
+#define ANEW(table) STORE_ZEROS(s, x->table, x->room);
+    SLEEP_TABLES(KEPT, ANEW)
+#undef KEPT
+#undef ANEW
     STORE_FORGET(s, x->members);
-    STORE_TABLE(s, x->island, x->bodies, x->room);
-    STORE_TABLE(s, x->next, x->bodies, x->room);
-    STORE_TABLE(s, x->asleep, x->bodies, x->room);
-    STORE_ROOM(s, x->is_restless, x->room);
-    STORE_TABLE(s, x->watch, x->bodies, x->room);
     for (int k = 0; k < WINDOWS; k++)
         STORE_TABLE(s, x->start[k], x->particles, x->particle_room);
     for (int b = 0; b < x->room && s->is_reading && s->done.ok; b++) {
@@ -315,52 +312,21 @@ static void bodies_store(world *w, store *s)
 //> snapshot-world
 //>   At last the world, which goes whole and then names its tables in the order
 //>   of its parts.
-// What a step fills before it reads it.
-static void step_store(rigid_tables *t, int room, store *s)
-{
-    STORE_ROOM(s, t->by_rung, room);
-    STORE_ROOM(s, t->asked, room);
-    STORE_ROOM(s, t->middle, room);
-    STORE_ROOM(s, t->turned, room);
-    STORE_ROOM(s, t->lying, room);
-    STORE_ZEROS(s, t->velocity, t->motions);
-    STORE_ZEROS(s, t->moved, t->motions);
-    STORE_ROOM(s, t->began, room);
-    STORE_ROOM(s, t->awake, room);
-    STORE_ZEROS(s, t->is_awake, room);
-    STORE_FORGET(s, t->awakes);
-    STORE_FORGET(s, t->has_noticed);
-    STORE_ROOM(s, t->fresh, room);
-    STORE_ROOM(s, t->going, room);
-    STORE_ROOM(s, t->touches, room);
-    STORE_ROOM(s, t->now_then, room);
-    STORE_ROOM(s, t->velocity_then, room);
-    STORE_ROOM(s, t->moved_then, room);
-}
-
-// Of what moves the next frame finds ahead, reach, velocity and moved; of all
-// else they are zeros.  Planes are read from a new list, or where the cache found
-// no memory for the last one.
+// Planes are read from a new list, or where the cache found no memory for the last
+// one.
 static void rigid_store(rigid_tables *t, int bodies, int room, store *s)
 {
-    STORE_TABLE(s, t->dynamic, bodies, room);
-    STORE_ROOM(s, t->moves, room);
-    STORE_TABLE(s, t->now, bodies, room);
-    STORE_TABLE(s, t->ball, bodies, room);
-    STORE_ZEROS(s, t->ahead, room);
-    STORE_ZEROS(s, t->reach, room);
-    STORE_TABLE(s, t->age, bodies, room);
-    STORE_ZEROS(s, t->halfway, room);
-    STORE_TABLE(s, t->choice, bodies, room);
-    STORE_ROOM(s, t->island, room);
-    STORE_ZEROS(s, t->rung, room);
-    step_store(t, room, s);
-    STORE_TABLE(s, t->held, bodies, room);
-    STORE_ROOM(s, t->free, room);
-    STORE_ROOM(s, t->free_end, room);
-    STORE_TABLE(s, t->load, bodies, room);
-    STORE_TABLE(s, t->material, bodies, room);
-    STORE_TABLE(s, t->drive, bodies, room);
+#define KEPT(table) STORE_TABLE(s, t->table, bodies, room);
+#define ZEROS(table) STORE_ZEROS(s, t->table, room);
+#define FILLED(table) STORE_ROOM(s, t->table, room);
+    RIGID_TABLES(KEPT, ZEROS, FILLED)
+#undef KEPT
+#undef ZEROS
+#undef FILLED
+    STORE_ZEROS(s, t->velocity, t->motions);
+    STORE_ZEROS(s, t->moved, t->motions);
+    STORE_FORGET(s, t->awakes);
+    STORE_FORGET(s, t->has_noticed);
     pair_list_store(&t->pairs, s);
     cache_store(&t->cache, s);
     contact_solver_store(&t->solver, s);

@@ -434,37 +434,9 @@ static bool grow_rigid(rigid_tables *t, int old, int room)
 {
     bool ok = true;
     TABLE_GROW(ok, t->body, old, room);
-    TABLE_GROW(ok, t->moves, old, room);
-    TABLE_GROW(ok, t->dynamic, old, room);
-    TABLE_GROW(ok, t->now, old, room);
-    TABLE_GROW(ok, t->ball, old, room);
-    TABLE_GROW(ok, t->ahead, old, room);
-    TABLE_GROW(ok, t->middle, old, room);
-    TABLE_GROW(ok, t->lying, old, room);
-    TABLE_GROW(ok, t->reach, old, room);
-    TABLE_GROW(ok, t->age, old, room);
-    TABLE_GROW(ok, t->halfway, old, room);
-    TABLE_GROW(ok, t->choice, old, room);
-    TABLE_GROW(ok, t->island, old, room);
-    TABLE_GROW(ok, t->rung, old, room);
-    TABLE_GROW(ok, t->by_rung, old, room);
-    TABLE_GROW(ok, t->began, old, room);
-    TABLE_GROW(ok, t->asked, old, room);
-    TABLE_GROW(ok, t->turned, old, room);
-    TABLE_GROW(ok, t->awake, old, room);
-    TABLE_GROW(ok, t->is_awake, old, room);
-    TABLE_GROW(ok, t->fresh, old, room);
-    TABLE_GROW(ok, t->going, old, room);
-    TABLE_GROW(ok, t->touches, old, room);
-    TABLE_GROW(ok, t->now_then, old, room);
-    TABLE_GROW(ok, t->velocity_then, old, room);
-    TABLE_GROW(ok, t->moved_then, old, room);
-    TABLE_GROW(ok, t->held, old, room);
-    TABLE_GROW(ok, t->free, old, room);
-    TABLE_GROW(ok, t->free_end, old, room);
-    TABLE_GROW(ok, t->load, old, room);
-    TABLE_GROW(ok, t->material, old, room);
-    TABLE_GROW(ok, t->drive, old, room);
+#define GROW(table) TABLE_GROW(ok, t->table, old, room);
+    RIGID_TABLES(GROW, GROW, GROW)
+#undef GROW
     for (int b = old; b < room && ok; b++) t->ball[b].radius = -1;
     return ok;
 }
@@ -824,14 +796,11 @@ void world_free(world *w)
     rigid_tables *r = &w->rigid;
     for (int k = 0; k < w->shapes; k++) free_shape(&w->shape[k]);
     void *owned[] = { w->body, w->plane, w->wall, w->shape, w->inverse_mass,
-        w->owner,
-        r->body, r->moves, r->dynamic, r->now, r->ball, r->ahead, r->middle,
-        r->lying, r->age, r->halfway, r->choice, r->island, r->rung, r->by_rung,
-        r->reach, r->velocity, r->moved, r->load, r->material, r->drive,
-        r->began, r->asked, r->turned, r->awake, r->is_awake, r->fresh, r->going, r->touches,
-        r->now_then, r->velocity_then,
-        r->moved_then, r->held, r->free, r->free_end, r->heard };
+                      w->owner, r->body, r->velocity, r->moved, r->heard };
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) free(owned[i]);
+#define FREE(table) free(r->table);
+    RIGID_TABLES(FREE, FREE, FREE)
+#undef FREE
     pair_list_free(&r->pairs);
     cache_free(&r->cache);
     solver_free(&r->solver);
@@ -863,8 +832,10 @@ void world_skin(const world *w, const body *b, vec3 *at)
         world_vertices(w, b, at);
         return;
     }
-    rigid_frame frame = rigid4_frame(w->pool.at + b->first);
+    rigid_frame now = rigid4_frame(w->pool.at + b->first);
+    rigid_frame rest = rigid4_rest(b->rigid);
     for (int i = 0; i < k->points; i++)
-        at[i] = frame_point(&frame, rigid4_local(b->rigid, k->at[i]));
+        at[i] = frame_point(&now, frame_local(&rest, vec3_sub(k->at[i],
+                                                              rest.center)));
 }
 //<

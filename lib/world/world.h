@@ -251,6 +251,18 @@ typedef struct {
     heard_impulse *heard;   // [hears] in the last frame
     int          hears, heard_room;
 } rigid_tables;
+
+// All that have a place for each body, but for `body`: what a saved world keeps of
+// them, what must be zeros where a frame begins, and what a step fills before it
+// reads it.
+#define RIGID_TABLES(KEPT, ZEROS, FILLED)                                     \
+    KEPT(dynamic) KEPT(now) KEPT(ball) KEPT(age) KEPT(choice) KEPT(held)      \
+    KEPT(load) KEPT(material) KEPT(drive)                                     \
+    ZEROS(ahead) ZEROS(reach) ZEROS(halfway) ZEROS(rung) ZEROS(is_awake)      \
+    FILLED(moves) FILLED(island) FILLED(by_rung) FILLED(asked) FILLED(middle) \
+    FILLED(turned) FILLED(lying) FILLED(began) FILLED(awake) FILLED(fresh)    \
+    FILLED(going) FILLED(touches) FILLED(now_then) FILLED(velocity_then)      \
+    FILLED(moved_then) FILLED(free) FILLED(free_end)
 //<
 
 //> world-struct
@@ -291,7 +303,7 @@ typedef struct world {
     soft_solver  soft;
     sleep_state  sleep;
     step_report  report;
-    ledger_entry ledger[LEDGERS];   // since the start, or ledger_clear
+    ledger_entry ledger[LEDGERS];   // since the start
     ledger_entry ledger_now;        // what there is, as of the last entry
 } world;
 //<

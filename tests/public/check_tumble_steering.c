@@ -1003,6 +1003,9 @@ START_TEST(a_rod_that_turns_meets_what_is_beside_it)
     ck_assert(tumble_sweep_turning(w, rod, p, none, turn, ~0u, &h));
     ck_assert(is_same(h.body, ball));
     near(h.fraction, 1 - asin(2 * r / d) / quarter, 1e-5);
+    turn.z = 5 * quarter;
+    ck_assert(tumble_sweep_turning(w, rod, p, none, turn, ~0u, &h));
+    near(h.fraction, (1 - asin(2 * r / d) / quarter) / 5, 1e-5);
     turn.z = quarter - 1.01 * asin(2 * r / d);
     ck_assert(!tumble_sweep_turning(w, rod, p, none, turn, ~0u, &h));
     turn.z = quarter;

@@ -800,8 +800,8 @@ START_TEST(end_of_a_rod_that_turns_meets_the_plate)
 }
 END_TEST
 
-// Points of a hull keep their distances and come where sine and cosine say, for as
-// much as three radians.
+// Points of a hull keep their distances and come where sine and cosine say, however
+// far it turns.  Rejects: the series alone, which is good to three radians.
 START_TEST(hull_turns_about_its_centre_as_a_sine_says)
 {
     const vec3 at[2] = { { 6, 5, 7 }, { 5, 5, 7 } };
@@ -815,6 +815,12 @@ START_TEST(hull_turns_about_its_centre_as_a_sine_says)
         near(out[1].x, 9, 1e-12, "what lies on the axis stays on it");
         swept_place((hull){ at, 2 }, &m, 1, out);
         near(out[0].y, 5 + sin(by), 1e-8, "at the end");
+    }
+    for (real by = 3.5; by < 1000; by *= 1.5) {
+        swept_motion m = { .center = { 5, 5, 5 }, .turn = { 0, 0, by } };
+        swept_place((hull){ at, 2 }, &m, 1, out);
+        near(out[0].x, 5 + cos(by), 1e-8, "far along x");
+        near(out[0].y, 5 + sin(by), 1e-8, "far along y");
     }
 }
 END_TEST

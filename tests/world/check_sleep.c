@@ -46,7 +46,8 @@ static real asleep_after(path x, scale c, real speed, real most)
     real unit = size_of_time(c), h = c.dt / PARTS, found = HUGE_VAL;
     sleep_rule rule = { speed, TIME_TO_SLEEP, c.gravity, c.dt, h };
     particle p[2] = { { .inverse_mass = 1 }, { .inverse_mass = 1 } };
-    ck_assert(sleep_init(&state, 1, 2).ok);
+    state = (sleep_state){ .bodies = 0 };
+    ck_assert(sleep_grow(&state, 1, 2).ok);
     for (int k = 1; k * c.dt < most * unit && found == HUGE_VAL; k++) {
         real now = k * c.dt;
         p[1].position = vec3_scale(c.radius / USUAL, x(now / unit));
@@ -336,7 +337,8 @@ static particle pool[MANY];
 // `bodies` bodies of a particle each, all still.
 static void begin(int bodies)
 {
-    ck_assert(sleep_init(&state, bodies, bodies).ok);
+    state = (sleep_state){ .bodies = 0 };
+    ck_assert(sleep_grow(&state, bodies, bodies).ok);
     for (int b = 0; b < MANY; b++) {
         moves[b] = false;
         pool[b] = (particle){ .inverse_mass = 1 };
@@ -685,17 +687,21 @@ START_TEST(no_bodies_are_no_trouble)
 }
 END_TEST
 
-// Rejects: a leak, or half a state, when any one allocation is refused.
+// Rejects: a leak, or bodies without a table, when any one allocation is refused.
 START_TEST(refused_memory_leaves_nothing)
 {
     int n = 0;
     for (; n < 20; n++) {
         long held = blocks_held;
         mallocs_left = n;
-        status s = sleep_init(&state, 3, 12);
+        state = (sleep_state){ .bodies = 0 };
+        status s = sleep_grow(&state, 3, 12);
         mallocs_left = INT_MAX;
         if (s.ok) break;
+        bool has_none = state.bodies == 0 && state.particles == 0;
+        sleep_free(&state);
         held = blocks_held - held;
+        ck_assert(has_none);
         ck_assert_str_eq(s.why, "out of memory");
         ck_assert(!state.parent && !state.island && !state.watch
                   && !state.asleep && !state.is_restless && !state.start[0]

@@ -100,8 +100,9 @@ static moments moments_of_arc(const arc *a)
 }
 
 // A part of the unit sphere, between the arcs over the edges of vertex v: its
-// area is 2 pi less the angles of the faces there (Gauss and Bonnet).  The
-// other integrals are sums over its rim (Stokes).
+// area is 2 pi less the angles of the faces there (Gauss and Bonnet), and the
+// integral of u a sum over its rim (Stokes).  Of u u^T the sum over all corners
+// is that of the sphere, and so each may be given its share of that.
 static moments moments_of_corner(const shape *s, int v)
 {
     const mesh *m = &s->mesh;
@@ -114,7 +115,6 @@ static moments moments_of_corner(const shape *s, int v)
         vec3 f = vec3_sub(s->at[mesh_target(m, h)], s->at[v]);
         u.whole -= real_angle(vec3_dot(e, f), vec3_length(vec3_cross(e, f)));
         u.first = vec3_add_scaled(u.first, a.angle / 2, a.axis);
-        add_product(u.second, 1.0 / 6, a.axis, a.chord);
     } while (h != start);
     for (int i = 0; i < 3; i++) u.second[i][i] += u.whole / 3;
     return u;

@@ -147,6 +147,20 @@ START_TEST(cloth_lies_on_the_round_of_it)
 }
 END_TEST
 
+// Rejects: a centre that must be in the core; one that may be in the box around.
+START_TEST(centre_of_mass_that_is_given_lies_within_the_round)
+{
+    const double i[6] = { 1, 1, 1, 0, 0, 0 };
+    tumble_world *w = made(0.5);
+    tumble_shape s = rounded_box(w, tumble_v(.5, .3, .2), .1);
+    tumble_weigh(w, s, 1, tumble_v(.55, .35, .25), i);
+    ck_assert_ptr_null(tumble_failure(w));
+    tumble_weigh(w, s, 1, tumble_v(.56, .36, .26), i);
+    ck_assert(strstr(tumble_failure(w), "not inside") != NULL);
+    tumble_free(w);
+}
+END_TEST
+
 START_TEST(what_cannot_be_round_is_refused)
 {
     tumble_world *w = made(0.5);
@@ -168,6 +182,7 @@ int main(void)
         small_core_with_a_large_radius_rolls_as_a_ball,
         rounded_boxes_stand_on_each_other,
         cloth_lies_on_the_round_of_it,
+        centre_of_mass_that_is_given_lies_within_the_round,
         what_cannot_be_round_is_refused,
         NULL
     };

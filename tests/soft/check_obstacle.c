@@ -10,6 +10,7 @@
 #include "expect.h"
 #include "obstacle.h"
 #include "suite.h"
+#include "swept.h"
 
 // Bodies of size 1 near the origin; a corner is turned, a foot is a mean of
 // three: a few dozen roundings.
@@ -193,6 +194,7 @@ START_TEST(particle_at_a_rounded_body_is_out_from_its_core)
     shape round = cube;
     int inside = 0, over = 0;
     round.round = 0.2;
+    near(shape_inner(&round), 0.7, ROUNDING);
     for (int k = 0; k < 2000; k++) {
         obstacle b = put(&round, any_axes(), vec3_make(1, 2, 3));
         vec3 x = vec3_add(vec3_make(1, 2, 3), random_vec3(&seed, 0.9));

@@ -42,7 +42,7 @@ static void add_point(moments *sum, real s, vec3 x)
 
 // Adds all x = p + t u, 0 < t < r: p on a part of the core, u on a part of the
 // unit sphere, of k - 1 dimensions.  The volume there is t^(k - 1) dt dp du.
-static void add_layer(moments *sum, const moments *p, const moments *u, int k,
+static void add_parts(moments *sum, const moments *p, const moments *u, int k,
                       real r)
 {
     real power = 1;
@@ -68,7 +68,7 @@ typedef struct {
     vec3 axis, from, to, chord;     // unit; the integral of u along it
 } arc;
 
-static vec3 normal_of(const shape *s, int face)
+static vec3 outward_of(const shape *s, int face)
 {
     const int *v = &s->face[3 * face];
     return vec3_unit(triangle_normal(s->at[v[0]], s->at[v[1]], s->at[v[2]]));
@@ -77,8 +77,8 @@ static vec3 normal_of(const shape *s, int face)
 // Over half-edge h, from the face on its right to the one on its left.
 static arc arc_over(const shape *s, int h)
 {
-    arc a = { .from = normal_of(s, s->mesh.half[mesh_twin(h)].face),
-              .to = normal_of(s, s->mesh.half[h].face) };
+    arc a = { .from = outward_of(s, s->mesh.half[mesh_twin(h)].face),
+              .to = outward_of(s, s->mesh.half[h].face) };
     vec3 across = vec3_cross(a.from, a.to);
     a.angle = real_angle(vec3_dot(a.from, a.to), vec3_length(across));
     a.axis = vec3_unit(across);
@@ -132,10 +132,10 @@ static void add_slab(moments *sum, const shape *s, int face, real r)
         add_point(&p, vec3_length(n) / 6, vec3_scale(0.5,
                   vec3_add(s->at[v[k]], s->at[v[(k + 1) % 3]])));
     add_point(&u, 1, vec3_unit(n));
-    add_layer(sum, &p, &u, 1, r);
+    add_parts(sum, &p, &u, 1, r);
 }
 
-static void add_edge(moments *sum, const shape *s, int h, real r)
+static void add_rod(moments *sum, const shape *s, int h, real r)
 {
     vec3 a = s->at[s->mesh.half[h].origin], b = s->at[mesh_target(&s->mesh, h)];
     real length = vec3_distance(a, b);
@@ -144,7 +144,7 @@ static void add_edge(moments *sum, const shape *s, int h, real r)
     add_point(&p, length / 6, a);
     add_point(&p, length / 6, b);
     add_point(&p, 4 * length / 6, vec3_scale(0.5, vec3_add(a, b)));
-    add_layer(sum, &p, &u, 2, r);
+    add_parts(sum, &p, &u, 2, r);
 }
 
 static moments moments_around(const shape *s, real r)
@@ -156,11 +156,11 @@ static moments moments_around(const shape *s, real r)
         for (int j = 0; j < 3; j++)
             sum.second[i][j] += core.volume * core.spread[i][j];
     for (int f = 0; f < s->mesh.faces; f++) add_slab(&sum, s, f, r);
-    for (int e = 0; e < s->mesh.edges; e++) add_edge(&sum, s, 2 * e, r);
+    for (int e = 0; e < s->mesh.edges; e++) add_rod(&sum, s, 2 * e, r);
     for (int v = 0; v < s->particles; v++) {
         moments p = { .whole = 0 }, u = moments_of_corner(s, v);
         add_point(&p, 1, s->at[v]);
-        add_layer(&sum, &p, &u, 3, r);
+        add_parts(&sum, &p, &u, 3, r);
     }
     return sum;
 }
@@ -170,7 +170,7 @@ static moments moments_around(const shape *s, real r)
 //>   For the eye there is the hull of points of the surface.
 enum { ARCS = 5 };      // a quarter of a circle is drawn with so many
 
-static int parts_of(const arc *a)
+static int steps_of(const arc *a)
 {
     const real quarter = 1.5707963267948966;
     return 1 + (int)(a->angle * ARCS / quarter * (1 - 1e-9));
@@ -186,7 +186,7 @@ static int skin_points(const shape *s, real r, vec3 *at)
         arc a = arc_over(s, h);
         vec3 v = s->at[s->mesh.half[h].origin];
         vec3 top = moments_of_corner(s, s->mesh.half[h].origin).first;
-        int parts = parts_of(&a), rings = parts > 1 ? 3 : 1;
+        int parts = steps_of(&a), rings = parts > 1 ? 3 : 1;
         for (int k = 0; k < parts; k++)
             for (int ring = 0; ring < rings; ring++, n++) {
                 if (!at) continue;
@@ -211,7 +211,7 @@ static vec3 least_of(const vec3 *at, int n)
     return least;
 }
 
-static status make_skin(shape *s, real r)
+static status span_round(shape *s, real r)
 {
     shape drawn;
     int n = skin_points(s, r, NULL);
@@ -266,7 +266,7 @@ status shape_round(shape *s, const shape *of, real radius)
     real mass = rigid4_mass(of), round = of->round + radius;
     s->own.mass = s->round = 0;
     moments m = moments_around(s, round);
-    done = make_skin(s, round);
+    done = span_round(s, round);
     take_weight(s, &m, mass);
     s->round = round;
     return shape_finish(s, done);

@@ -36,6 +36,7 @@ define ORDER
 12/bend
 13/rigid4
 13/weight
+13/rounding
 13/real4
 13/task
 13/table

@@ -263,6 +263,11 @@ bool tumble_drop_shape(tumble_world *w, tumble_shape s);
 // of whose principal moments is not less than the sum of the two others.
 tumble_shape tumble_weigh(tumble_world *w, tumble_shape s, double mass,
                           tumble_vec3 center, const double inertia[6]);
+
+// All points within radius (m) of a rigid shape with faces, as a box or a hull: with
+// round edges and corners, and larger by the radius on every side.  It has the mass
+// of s, evenly filled, and its origin is its own centre of mass.
+tumble_shape tumble_round(tumble_world *w, tumble_shape s, double radius);
 //<
 
 //> tumble-bodies

@@ -517,24 +517,30 @@ static manifold find_touch(const cache_frame *f, const contact *c,
 //<
 
 //> cache-ahead
-// The normal of round bodies turns as they pass each other.  So they are asked
+// The normal of balls and capsules turns as they pass each other.  So they are asked
 // as they will stand when they touch: the one that is round is shifted, as seen
 // from the other, by the part of the way that closes the gap along the normal,
 // and again, for there the normal is another.  Returns whether they were.
 static const real GLIDES = 0.02;            // tuned, radii: less does not count
 enum { ROUNDS = 4 };                        // tuned, rounds
 
+enum { CORE = 2 };
+
+static bool is_ball_or_rod(const shape *s)
+{
+    return s->round > 0 && s->particles <= CORE;
+}
+
 static bool query_ahead(const cache_frame *f, const contact *c, collider a,
                         collider b, real margin, query_cache *carried,
                         real *closes, manifold *m)
 {
-    enum { CORE = 2 };
-    bool is_a = a.shape->round > 0;
+    bool is_a = is_ball_or_rod(a.shape);
     collider *round = is_a ? &a : &b;
     vec3 way = vec3_sub(f->ahead[c->piece_a].way, f->ahead[c->piece_b].way), at[CORE];
     real gone = 0, turn = f->ahead[c->piece_a].angle + f->ahead[c->piece_b].angle;
     const vec3 *now = round->at;
-    if (!(query_round(&a, &b) > 0)) {
+    if (!is_ball_or_rod(round->shape)) {
         *m = find_touch(f, c, &a, &b, margin, carried, closes);
         return false;
     }

@@ -98,33 +98,11 @@ joint joint_make(const joint_plan *p, const rigid_frame *a,
 //<
 
 //> joint-angle
-//>   A hinge with a limit needs to know its angle. The arctangent of the C
-//>   library has other last digits on another machine. So we compute our own,
-//>   with a few divisions and roots.
-// arctan x for |x| <= 1.  tan(t/2) = tan t / (1 + sqrt(1 + tan^2 t)), three
-// times: what is left is below 0.1, and its series is good to rounding.
-static real arctan(real x)
-{
-    for (int k = 0; k < 3; k++) x /= 1 + sqrt(1 + x * x);
-    real y = x * x, sum = 0;
-    for (int k = 17; k > 0; k -= 2) sum = 1.0 / k - y * sum;
-    return 8 * x * sum;
-}
-
-// The angle of the vector (x, y), from -pi to pi.
-ALWAYS_INLINE real angle_of(real x, real y)
-{
-    const real quarter = 1.5707963267948966;
-    real a = fabs(x), b = fabs(y);
-    real t = a > b ? arctan(b / a) : b > 0 ? quarter - arctan(a / b) : 0;
-    if (x < 0) t = 2 * quarter - t;
-    return y < 0 ? -t : t;
-}
-
+//>   A hinge with a limit needs to know its angle.
 real joint_angle(const joint *j, const rigid_frame *a, const rigid_frame *b)
 {
     vec3 arrow = direction(b, j->axis_b[1]);
-    return angle_of(vec3_dot(arrow, direction(a, j->axis_a[1])),
+    return real_angle(vec3_dot(arrow, direction(a, j->axis_a[1])),
                     vec3_dot(arrow, direction(a, j->axis_a[2])));
 }
 //<
@@ -136,7 +114,7 @@ real joint_angle(const joint *j, const rigid_frame *a, const rigid_frame *b)
 real joint_swing(const joint *j, const rigid_frame *a, const rigid_frame *b)
 {
     vec3 x = direction(a, j->axis_a[0]), y = direction(b, j->axis_b[0]);
-    return angle_of(vec3_dot(x, y), vec3_length(vec3_cross(x, y)));
+    return real_angle(vec3_dot(x, y), vec3_length(vec3_cross(x, y)));
 }
 
 real joint_twist(const joint *j, const rigid_frame *a, const rigid_frame *b)
@@ -147,7 +125,7 @@ real joint_twist(const joint *j, const rigid_frame *a, const rigid_frame *b)
     vec3 once = vec3_cross(turn, arrow), twice = vec3_cross(turn, once);
     arrow = vec3_add(arrow, once);
     if (more > 0) arrow = vec3_add_scaled(arrow, 1 / more, twice);
-    return angle_of(vec3_dot(arrow, direction(a, j->axis_a[1])),
+    return real_angle(vec3_dot(arrow, direction(a, j->axis_a[1])),
                     vec3_dot(arrow, direction(a, j->axis_a[2])));
 }
 

@@ -5,7 +5,7 @@
 #include "hull.h"
 #include "inside.h"
 #include "obj.h"
-#include "weight.h"
+#include "rounding.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -110,6 +110,15 @@ tumble_shape tumble_weigh(tumble_world *w, tumble_shape s, double mass,
     status done = inertia
                 ? weight_give(&made, of->shape, mass, from_user(center), inertia)
                 : status_fail("a weight without moments of inertia");
+    return inside_keep(w, &made, done);
+}
+
+tumble_shape tumble_round(tumble_world *w, tumble_shape s, double radius)
+{
+    const shape_place *of = inside_shape(w, s);
+    shape made;
+    if (!of) return (tumble_shape){ 0, 0 };
+    status done = shape_round(&made, of->shape, radius);
     return inside_keep(w, &made, done);
 }
 

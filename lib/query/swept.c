@@ -228,8 +228,7 @@ swept_result swept_turning(hull a, const swept_motion *of_a, hull b,
 real shape_inner(const shape *s)
 {
     if (s->kind != SHAPE_RIGID) return 0;
-    if (s->round > 0) return s->round;
-    real inner = s->radius;
+    real inner = s->mesh.faces > 0 ? s->radius : 0;
     for (int f = 0; f < s->mesh.faces; f++) {
         const int *v = &s->face[3 * f];
         vec3 m = vec3_unit(triangle_normal(s->at[v[0]], s->at[v[1]],
@@ -237,6 +236,6 @@ real shape_inner(const shape *s)
         vec3 at = vec3_sub(s->at[v[0]], s->middle);
         inner = real_max(real_min(inner, vec3_dot(m, at)), 0);
     }
-    return inner;
+    return inner + s->round;
 }
 //<

@@ -2,6 +2,8 @@
 //>   A shape is shared by its bodies, so one with another weight is another shape.
 #include "weight.h"
 
+#include "gjk.h"
+
 #include <assert.h>
 #include <stdlib.h>
 #include <string.h>
@@ -87,14 +89,12 @@ static status check_moments(const real i[6], real mass, real spread[3][3])
 //<
 
 //> weight-give
-// Inside a hull, or within the radius of a core along y.
+// Inside a hull, or within the radius of a core.
 static bool is_inside(const shape *s, vec3 x)
 {
-    if (s->round > 0) {
-        real half = s->at[s->particles - 1].y;
-        x.y -= real_max(-half, real_min(half, x.y));
-        return vec3_length(x) < s->round;
-    }
+    const hull point = { &x, 1 }, core = { s->at, s->particles };
+    if (s->round > 0)
+        return gjk_distance(point, core, HUGE_VAL, NULL).distance < s->round;
     for (int f = 0; f < s->mesh.faces; f++) {
         const int *v = &s->face[3 * f];
         vec3 out = vec3_cross(vec3_sub(s->at[v[1]], s->at[v[0]]),

@@ -224,8 +224,9 @@ static bool is_over(const rigid_view *v, vec3 x, int ahead, real inside)
     plane face = v->plane[ahead];
     real up = plane_height(face, x);
     vec3 foot = vec3_add_scaled(x, -up, face.normal);
+    real rim = inside + 2 * v->hull.round;      // of a face of the core
     for (int k = 0; k < v->hull.planes; k++)
-        if (k != ahead && !(plane_height(v->plane[k], foot) < -inside))
+        if (k != ahead && !(plane_height(v->plane[k], foot) < -rim))
             return false;
     return up > 0;
 }

@@ -28,6 +28,7 @@ int hull_planes(const shape *s, const vec3 *at, plane *out)
         while (k < n && !lies_in_plane(v, m, at, out[k], s->radius)) k++;
         if (k == n) out[n++] = p;
     }
+    for (int k = 0; k < n; k++) out[k].offset += s->round;
     return n;
 }
 //<
@@ -156,6 +157,25 @@ static bool nearest_on_round(const obstacle *b, vec3 x, real reach,
 }
 //<
 
+//> obstacle-rounded
+//>   Of a rounded hull the planes lie a radius outside of its core.  What is not
+//>   in the core is out from the core's nearest point.
+static bool nearest_on_rounded(const obstacle *b, vec3 x, int ahead, real reach,
+                               surface_point *out)
+{
+    bool is_known = ahead < b->planes;
+    if (is_known && plane_height(b->plane[ahead], x) > reach) return false;
+    real near = reach + b->round;
+    gjk_result g = gjk_distance((hull){ &x, 1 }, b->vertices, near, NULL);
+    if (g.status == GJK_OVERLAP)
+        *out = under(b, x, hull_ahead(x, b->plane, b->planes));
+    if (g.status != GJK_APART) return g.status == GJK_OVERLAP;
+    vec3 normal = vec3_scale(1 / g.distance, g.axis);
+    *out = (surface_point){ vec3_add_scaled(g.on_b, b->round, normal), normal };
+    return g.distance <= near;
+}
+//<
+
 //> obstacle-nearest
 // The commonest answers by far are two: a particle is clear of the plane that
 // it was in front of, or it still stands over that face.
@@ -164,6 +184,7 @@ bool obstacle_nearest(const obstacle *b, vec3 x, int ahead, real reach,
 {
     assert(b->planes > 0 || b->round > 0);
     if (b->planes == 0) return nearest_on_round(b, x, reach, out);
+    if (b->round > 0) return nearest_on_rounded(b, x, ahead, reach, out);
     bool is_known = ahead < b->planes;
     if (is_known && plane_height(b->plane[ahead], x) > reach) return false;
     if (!is_known || !stands_over(b, x, ahead)) {

@@ -21,8 +21,8 @@ typedef struct {
     const plane *plane; // [planes] of its faces, normals outwards
     int  planes;
     real size;          // m, the shape's radius
-    real round;         // m, of one that is round: its vertices are the core,
-                        // and it has no planes
+    real round;         // m, of one that is round: its vertices are the core;
+                        // a ball or a capsule has no planes
 } obstacle;
 
 // A point of a surface.
@@ -40,8 +40,8 @@ static inline real plane_height(plane p, vec3 x)
 
 //> obstacle-declare
 //>   The planes of a body are found when it is looked at.
-// The planes of the faces of rigid shape s, whose vertices are at `at`;
-// coplanar faces once.  Writes at most s->mesh.faces of them, and returns their
+// The planes of the faces of rigid shape s, whose vertices are at `at`, or of
+// what is round around those; coplanar faces once.  Writes at most s->mesh.faces of them, and returns their
 // number, which may change with a body's strain: the triangles of a side are
 // coplanar to a billionth of the body's size, or are counted apart.
 int hull_planes(const shape *s, const vec3 *at, plane *out);

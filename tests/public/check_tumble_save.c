@@ -249,6 +249,7 @@ static void make_weighed(tumble_world *w)
     for (int k = 0; k < 12; k++) {
         tumble_shape s = tumble_weigh(w, any_solid(w, k % 4), 2,
                                       tumble_v(0, -0.2, 0.1), inertia);
+        if (k == 5) s = tumble_round(w, tumble_box(w, tumble_v(1, .6, .4), 2), .1);
         tumble_body_options o = tumble_at(k % 3 - 1.2, 1 + k / 9 * 1.3,
                                           k / 3 % 3 - 1.1);
         o.spin = any_vec3(5);

@@ -10,6 +10,7 @@
 #include "expect.h"
 #include "obstacle.h"
 #include "suite.h"
+#include "swept.h"
 
 // Bodies of size 1 near the origin; a corner is turned, a foot is a mean of
 // three: a few dozen roundings.
@@ -183,6 +184,40 @@ START_TEST(particle_inside_leaves_by_the_nearest_face)
     ck_assert(ask(&b, x, 0, &p));
     near_vec3(p.normal, vec3_make(0, 0, -1), ROUNDING);
     near_vec3(p.at, vec3_make(0.2, 0.1, -0.5), ROUNDING);
+}
+END_TEST
+
+// Of a cube with a radius of 0.2.  Rejects: the planes of the core, or of the box
+// around the body, for its surface; a way out of the core to its own face.
+START_TEST(particle_at_a_rounded_body_is_out_from_its_core)
+{
+    shape round = cube;
+    int inside = 0, over = 0;
+    round.round = 0.2;
+    near(shape_inner(&round), 0.7, ROUNDING);
+    for (int k = 0; k < 2000; k++) {
+        obstacle b = put(&round, any_axes(), vec3_make(1, 2, 3));
+        vec3 x = vec3_add(vec3_make(1, 2, 3), random_vec3(&seed, 0.9));
+        gjk_result g = distance_to(&b, x);
+        real reach = 0.15, gap = g.distance - 0.2;
+        surface_point p;
+        bool is_near = ask(&b, x, reach, &p);
+        if (g.status == GJK_OVERLAP) {
+            real most = plane_height(walls[hull_ahead(x, walls, 6)], x);
+            ck_assert(is_near && most <= -0.2);
+            is_sound(&b, &p, x);
+            near(height_over(&p, x), most, ORACLE);
+            inside++;
+            continue;
+        }
+        if (fabs(gap - reach) > ORACLE) ck_assert_int_eq(is_near, gap < reach);
+        if (!is_near) continue;
+        near(height_over(&p, x), gap, ORACLE);
+        near(distance_to(&b, p.at).distance, 0.2, ORACLE);
+        near_vec3(vec3_add_scaled(p.at, gap, p.normal), x, ORACLE);
+        over++;
+    }
+    ck_assert(inside > 200 && over > 200);
 }
 END_TEST
 
@@ -410,6 +445,7 @@ int main(void)
         cube_has_six_planes_and_icosahedron_twenty,
         plane_ahead_is_the_one_furthest_behind,
         particle_inside_leaves_by_the_nearest_face,
+        particle_at_a_rounded_body_is_out_from_its_core,
         particle_over_a_face_stands_on_its_foot,
         particle_over_an_edge_is_pushed_away_from_the_edge,
         particle_over_a_corner_is_pushed_away_from_the_corner,

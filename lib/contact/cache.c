@@ -185,12 +185,11 @@ static void follow_lists(contact_cache *c, const cache_frame *f)
 //> cache-decide
 //>   A pair is asked again when one of its bodies has been placed again, or may
 //>   get further than the answer looked ahead.
-// m, how far a body may get from where it was placed, while it counts as there: of
-// what is thin, no more than of something twice as thick as it is.
+// m, how far a body may get from where it was placed, while it counts as there.
 static real stay_of(const cache_frame *f, int b)
 {
-    real wide = f->now[b].radius, thin = 4 * f->body[b].inner;
-    return f->stay * (f->moves[b] && thin > 0 ? real_min(wide, thin) : wide);
+    real radius = f->now[b].radius;
+    return f->stay * (f->moves[b] ? cache_width(&f->body[b], radius) : radius);
 }
 
 // m, how far from there it may be now.  One that was placed in this very frame
@@ -395,15 +394,6 @@ static void make_entries(contact_cache *c, const cache_frame *f)
 //> cache-point
 //>   An answer names features of the two shapes. As a contact it is a point on
 //>   each body, in coordinates of its four particles.
-// Coordinates, in the frame of the four particles, of a point of a feature.
-static vec3 local_of(const rigid4 *r, const feature_point *f)
-{
-    vec3 sum = { 0, 0, 0 };
-    for (int k = 0; k < f->count; k++)
-        sum = vec3_add_scaled(sum, f->weight[k], r->local[f->vertex[k]]);
-    return sum;
-}
-
 static void take_manifold(contact *c, const manifold *m, const cache_frame *f,
                           bool is_ahead)
 {
@@ -414,8 +404,8 @@ static void take_manifold(contact *c, const manifold *m, const cache_frame *f,
     c->round_b = f->body[c->piece_b].shape->round;
     for (int k = 0; k < m->count; k++)
         c->point[k] = (contact_point){
-            .local_a = local_of(f->body[c->piece_a].rigid, &m->point[k].a),
-            .local_b = local_of(f->body[c->piece_b].rigid, &m->point[k].b),
+            .local_a = cache_local(f->body[c->piece_a].rigid, &m->point[k].a),
+            .local_b = cache_local(f->body[c->piece_b].rigid, &m->point[k].b),
             .offset = c->round_a + c->round_b,
             .own = contact_own(&m->point[k], c) };
 }
@@ -633,7 +623,7 @@ static void query_wall(contact_cache *c, const cache_frame *f, cache_pair *p)
     now->round_b = 0;
     for (int k = 0; k < m.count; k++)
         now->point[k] = (contact_point){
-            .local_a = local_of(f->body[a].rigid, &m.point[k].a),
+            .local_a = cache_local(f->body[a].rigid, &m.point[k].a),
             .offset = now->round_a, .own = 1 };
     p->count = (signed char)now->count;
     p->seen[0] = c->placing[a].number;

@@ -21,6 +21,21 @@ typedef struct {
     int rides;          // 1 + the body that it moves with; 0: it moves alone
 } cache_body;
 
+// m, its radius; of what is thin, twice as much as it is thick.
+static inline real cache_width(const cache_body *b, real radius)
+{
+    return b->inner > 0 ? real_min(radius, 4 * b->inner) : radius;
+}
+
+// Coordinates, in the frame of the four particles, of a point of a feature.
+static inline vec3 cache_local(const rigid4 *r, const feature_point *f)
+{
+    vec3 sum = { 0, 0, 0 };
+    for (int k = 0; k < f->count; k++)
+        sum = vec3_add_scaled(sum, f->weight[k], r->local[f->vertex[k]]);
+    return sum;
+}
+
 typedef struct {
     const cache_body *body;     // [bodies]
     const solver_body *now;     // [bodies]

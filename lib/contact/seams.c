@@ -302,14 +302,6 @@ static manifold find_along(const slider *s, const contact *x, vec3 m)
 
 //> seams-take
 //>   The contact gets other points, and the load that it had.
-static vec3 local_at(const rigid4 *r, const feature_point *f)
-{
-    vec3 sum = { 0, 0, 0 };
-    for (int k = 0; k < f->count; k++)
-        sum = vec3_add_scaled(sum, f->weight[k], r->local[f->vertex[k]]);
-    return sum;
-}
-
 // Each point of what was hands its impulse to the nearest, as contact_inherit
 // does; none, if the normal was further off than that (a cosine).
 static void carry(const slider *s, const side *x, const cache_load *was,
@@ -332,8 +324,8 @@ static void take(const slider *s, side *x, const manifold *m)
     t->normal = m->normal;
     for (int k = 0; k < m->count; k++)
         t->point[k] = (contact_point){
-            local_at(s->f->body[t->piece_a].rigid, &m->point[k].a),
-            local_at(s->f->body[t->piece_b].rigid, &m->point[k].b),
+            cache_local(s->f->body[t->piece_a].rigid, &m->point[k].a),
+            cache_local(s->f->body[t->piece_b].rigid, &m->point[k].b),
             t->round_a + t->round_b, contact_own(&m->point[k], t) };
     see_side(s, x);
     contact_clear(t);

@@ -25,11 +25,9 @@ static real arc_of(const world *w, int b, vec3 spin, real turn)
     return turn > 2 ? 2 * out : real_min(most, out * turn);
 }
 
-// m, its radius; of what is thin, twice as much as it is thick.
 static real width_of(const world *w, int b)
 {
-    real radius = w->rigid.now[b].radius, thin = 4 * w->rigid.body[b].inner;
-    return thin > 0 ? real_min(radius, thin) : radius;
+    return cache_width(&w->rigid.body[b], w->rigid.now[b].radius);
 }
 
 static prediction predict(const world *w, int b, real dt)

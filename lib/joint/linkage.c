@@ -1143,6 +1143,27 @@ static real spin_squared(const linkage_pass *q, int b)
                                                &q->velocity[b]));
 }
 
+static vec3 velocity_of(const linkage_pass *q, int b, vec3 at)
+{
+    if (!moves(q->f, b)) return (vec3){ 0, 0, 0 };
+    return motion_at(basis_of(q->f, b), &q->velocity[b],
+                     vec3_sub(at, frame_of(q, b)->center));
+}
+
+// The way between two points that are kept at a distance turns, too; its bodies
+// need not.  rad^2/s^2
+static real swung_squared(const linkage_pass *q, const joint *j)
+{
+    vec3 a, b;
+    if (j->kind != JOINT_DISTANCE || j->is_driven || !(j->force > 0)) return 0;
+    joint_points(j, frame_of(q, j->a), frame_of(q, j->b), &a, &b);
+    vec3 way = vec3_sub(b, a);
+    vec3 speed = vec3_sub(velocity_of(q, j->b, b), velocity_of(q, j->a, a));
+    real most = j->most * j->most;
+    vec3 across = vec3_cross(way, speed);
+    return most > 0 ? vec3_length_squared(across) / (most * most) : 0;
+}
+
 static void break_overloaded(linkage *l, const linkage_pass *q)
 {
     real h = q->f->h;
@@ -1153,7 +1174,9 @@ static void break_overloaded(linkage *l, const linkage_pass *q)
         j->force = force_of(j, &l->rows[k], h);
         if (j->is_driven) j->given = j->impulse[l->rows[k].held] / l->rows[k].kick;
         real swing = sqrt(j->force * l->rows[k].swing);
-        real turns = sqrt(real_max(spin_squared(q, j->a), spin_squared(q, j->b)));
+        real turns = sqrt(real_max(real_max(spin_squared(q, j->a),
+                                            spin_squared(q, j->b)),
+                                   swung_squared(q, j)));
         swing = real_max(swing, TURNED * real_max(turns, l->rows[k].hung));
         l->rows[k].pace = real_max(l->rows[k].pace, swing);
         l->swing = real_max(l->swing, swing);

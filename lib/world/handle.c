@@ -310,6 +310,7 @@ void world_set_kinematic(world *w, int b, bool is_kinematic)
     if (body_is_static(x) || x->is_kinematic == is_kinematic) return;
     placement at = world_where(w, b);
     world_wake(w, b);
+    world_wake_around(w, b);
     x->is_kinematic = is_kinematic;
     w->is_choosy = true;
     w->kinematic_bodies += is_kinematic ? 1 : -1;
@@ -323,17 +324,6 @@ void world_set_kinematic(world *w, int b, bool is_kinematic)
     if (!is_kinematic) world_set_velocity(w, b, at.velocity, at.spin);
 }
 
-// What hangs on b wakes.
-static void wake_joined(world *w, int b)
-{
-    for (int k = 0; k < w->joints.count; k++) {
-        const joint *j = &w->joints.joint[k];
-        if (j->kind == JOINT_NONE || (j->a != b && j->b != b)) continue;
-        int other = j->a + j->b - b;
-        if (other >= 0) world_wake(w, other);
-    }
-}
-
 void world_set_static(world *w, int b, bool is_static)
 {
     assert(b >= 0 && b < w->bodies && !body_is_soft(&w->body[b]));
@@ -343,7 +333,6 @@ void world_set_static(world *w, int b, bool is_static)
     if (body_is_static(x) == is_static) return;
     world_wake(w, b);
     world_wake_around(w, b);
-    wake_joined(w, b);
     real inverse = is_static ? 0 : 1 / x->rigid->mass;
     x->mass = is_static ? HUGE_VAL : FOUR * x->rigid->mass;
     w->dynamic_bodies += is_static ? -1 : 1;

@@ -289,6 +289,17 @@ void join_drop_pairs(world *w)
     l->count = left;
 }
 
+// What hangs on something that moves wakes as what lies on it does.
+void join_wake(world *w)
+{
+    for (int k = 0; k < w->joints.count && w->sleep.sleepers > 0; k++) {
+        const joint *j = &w->joints.joint[k];
+        if (j->kind == JOINT_NONE || j->is_broken || j->a < 0 || j->b < 0)
+            continue;
+        world_wake_near(w, j->a, j->b);
+    }
+}
+
 // What a joint has let go may meet again.
 static void renew_pairs(world *w, const joint *j)
 {

@@ -177,6 +177,7 @@ void world_step(world *w)
     world_weigh(w);
     ledger_open(w);
     sleep_begin(&w->sleep);
+    join_wake(w);
     find(w, dt, &since);
     int parts = parts_of(w);
     for (int k = 0; k < parts; k++) {

@@ -119,24 +119,23 @@ static int hold(substep_choice *c, const island *i, int need)
 }
 
 // A part of a divided frame takes its share of the substeps.  But what is fast
-// takes in each as many as are usual in a frame; and no fewer than SOFT, if it is
-// not joined: that asks by how it turns.
-static int usual_of(const world *w, const island *i)
+// takes in each as many as are usual in a frame; not if it is joined: joints ask
+// by how they swing and turn, and what they swing too fast for is done again.
+static bool takes_all(const island *i)
 {
-    if (i->is_soft || (i->is_fast && !is_joined(i)))
-        return world_usual(w, i->is_soft);
-    return w->options.substeps;
+    return i->is_soft || (i->is_fast && !is_joined(i));
 }
 
 int substeps_choose(world *w, const island *i, substep_choice *c)
 {
     real share = w->frame / w->options.dt;
-    int usual = usual_of(w, i), fewest = usual;
+    int usual = takes_all(i) ? world_usual(w, i->is_soft) : w->options.substeps;
+    int fewest = usual;
     int most = int_max(w->options.most_substeps, usual);
     real stiff = real_min(substeps_for_contacts(w, i, c->now), most);
     real swing = real_min(substeps_for_joints(w, i), most);
     int n = hold(c, i, int_max(usual, (int)real_max(stiff, swing) + 1));
-    if (!i->is_fast && !i->is_soft) fewest = (int)(share * (usual - 1)) + 1;
+    if (!takes_all(i)) fewest = (int)(share * (usual - 1)) + 1;
     if (share < 1) n = int_max(fewest, (int)(share * (n - 1)) + 1);
     n = int_max(n, substeps_for_turns(i, most));
     if (i->is_soft) n = int_max(n, soft_need(w));

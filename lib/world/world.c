@@ -345,9 +345,21 @@ static sphere ball_of(const world *w, int b)
     return s;
 }
 
+// What hangs on b is near it.
+static void wake_joined(world *w, int b)
+{
+    for (int k = 0; k < w->joints.count; k++) {
+        const joint *j = &w->joints.joint[k];
+        if (j->kind == JOINT_NONE || (j->a != b && j->b != b)) continue;
+        int other = j->a + j->b - b;
+        if (other >= 0) world_wake(w, other);
+    }
+}
+
 void world_wake_around(world *w, int b)
 {
     sphere own = ball_of(w, b);
+    wake_joined(w, b);
     for (int k = 0; k < w->bodies && w->sleep.sleepers > 0; k++) {
         if (!w->sleep.asleep[k]) continue;
         sphere other = ball_of(w, k);
@@ -731,15 +743,12 @@ static void leave_shape(world *w, int entry)
     w->part_entry = int_min(w->part_entry, entry);
 }
 
-// What hung on b wakes.
 static void leave_joints(world *w, int b)
 {
     for (int k = 0; k < w->joints.count; k++) {
         const joint *j = &w->joints.joint[k];
-        if (j->kind == JOINT_NONE || (j->a != b && j->b != b)) continue;
-        int other = j->a + j->b - b;
-        if (other >= 0) world_wake(w, other);
-        linkage_remove(&w->joints, k);
+        if (j->kind != JOINT_NONE && (j->a == b || j->b == b))
+            linkage_remove(&w->joints, k);
     }
     linkage_untie_body(&w->joints, b);
 }
@@ -775,9 +784,9 @@ static void leave(world *w, int b)
 void world_remove(world *w, int b)
 {
     assert(b >= 0 && b < w->bodies && !body_is_gone(&w->body[b]));
-    leave_joints(w, b);
     world_wake(w, b);
     world_wake_around(w, b);
+    leave_joints(w, b);
     cache_forget(&w->rigid.cache, b);
     leave(w, b);
 }

@@ -397,7 +397,7 @@ static double time_swings(tumble_world *w, tumble_body b, double dt, int swings,
         tumble_step(w);
         tumble_vec3 x = tumble_position(w, b);
         double now = atan2(x.x, -x.y);
-        if ((last < 0) != (now < 0) && fabs(last) < 1.5 && fabs(now) < 1.5) {
+        if ((last < 0) != (now < 0) && fabs(now - last) < FAMILY_PI) {
             double at = t - dt * now / (now - last);
             if (++passed == 0) first = at;
             if (passed == 2 * swings) return at - first;
@@ -465,9 +465,9 @@ static void cone(hard_report *r, family_worst *rate, double length,
 
 static void pendulums(hard_report *r, int fast)
 {
-    static const double lengths[] = { 1, 0.1, 0.02, 10 },
-                        angles[] = { 90, 5, 45, 150, 170 },
-                        leans[] = { 45, 5, 80 };
+    static const double lengths[] = { 0.02, 0.1, 1, 10 },
+                        angles[] = { 170, 5, 45, 90, 150 },
+                        leans[] = { 80, 5, 45 };
     family_worst period = { .target = 1e-3 }, rate = { .target = 1e-3 };
     for (int k = 0; k < (fast ? 2 : 40); k++)
         for (int i = 0; i < (fast ? 1 : 3); i++)

@@ -479,6 +479,39 @@ START_TEST(what_is_joined_to_a_body_of_another_kind_wakes)
 }
 END_TEST
 
+// A driven hook takes along what hangs and sleeps on it: however slowly it goes,
+// and where it is put.
+START_TEST(what_hangs_asleep_on_a_driven_body_goes_with_it)
+{
+    const tumble_vec3 none = tumble_v(0, 0, 0);
+    const double speed[] = { 0.001, 0.5, -20 };
+    for (int k = 0; k < 3; k++) {
+        tumble_world *w = tumble_make(NULL);
+        tumble_body hook = add_kind(w, TUMBLE_KINEMATIC, 0, 0, 0);
+        tumble_body b = add_box(w, 0, -2, 0), c = add_box(w, 0, -4, 0);
+        tumble_joint on_hook = tumble_ball(w, hook, b, tumble_v(0, -0.75, 0));
+        tumble_ball(w, b, c, tumble_v(0, -2.75, 0));
+        run(w, 3);
+        ck_assert(!tumble_is_awake(w, b) && !tumble_is_awake(w, c));
+        tumble_set_velocity(w, hook, tumble_v(0, speed[k], 0), none);
+        run(w, 2);
+        near(tumble_position(w, b).y, -2 + 2 * speed[k], 1e-4);
+        near(tumble_position(w, c).y, -4 + 2 * speed[k], 1e-4);
+        tumble_set_velocity(w, hook, none, none);
+        run(w, 10);
+        ck_assert(!tumble_is_awake(w, b));
+        tumble_pose at = tumble_get_pose(w, hook);
+        at.position.x += 0.001;
+        ck_assert(tumble_set_pose(w, hook, at));
+        ck_assert(tumble_is_awake(w, b) && tumble_is_awake(w, c));
+        run(w, 1);
+        near(tumble_joint_gap(w, on_hook), 0, 1e-6);
+        expect_fine(w);
+        tumble_free(w);
+    }
+}
+END_TEST
+
 // --- Gravity of its own ------------------------------------------------------------
 START_TEST(each_body_falls_as_its_share_of_gravity_says)
 {
@@ -1093,6 +1126,7 @@ int main(void)
         a_body_that_becomes_static_stops_and_bears,
         a_kind_comes_and_goes_with_its_velocity,
         what_is_joined_to_a_body_of_another_kind_wakes,
+        what_hangs_asleep_on_a_driven_body_goes_with_it,
         each_body_falls_as_its_share_of_gravity_says,
         a_change_of_its_gravity_keeps_the_velocity,
         a_box_presses_with_its_own_gravity,

@@ -97,11 +97,48 @@ START_TEST(blade_misses_no_ball)
 }
 END_TEST
 
+// A ball that does not turn itself goes round on a thread under the point that holds
+// it, at an angle A, with sqrt(g / (L cos A)).  Rejects: a joint that asks for
+// substeps by how its bodies turn alone.
+static double rate_missed(double length, double angle, double dt)
+{
+    double rate = sqrt(9.81 / (length * cos(angle))), way = 0, last = 0;
+    tumble_options how = tumble_options_default();
+    how.dt = dt;
+    tumble_world *w = tumble_make(&how);
+    tumble_body_options o = tumble_at(length * sin(angle),
+                                      -length * cos(angle), 0);
+    o.velocity = tumble_v(0, 0, -rate * length * sin(angle));
+    tumble_body b = tumble_add(w, tumble_sphere(w, length / 20, 1), o);
+    tumble_distance(w, tumble_ground(), tumble_v(0, 0, 0), b, o.pose.position,
+                    length, length);
+    int steps = (int)(5 * 2 * PI / rate / dt);
+    for (int k = 0; k < steps; k++) {
+        tumble_step(w);
+        tumble_vec3 x = tumble_position(w, b);
+        double now = atan2(-x.z, x.x);
+        way += remainder(now - last, 2 * PI);
+        last = now;
+    }
+    tumble_free(w);
+    return fabs(way / (rate * steps * dt) - 1);
+}
+
+START_TEST(conical_pendulum_keeps_its_rate_on_any_thread)
+{
+    for (double length = 0.02; length < 3; length *= 5)
+        for (double angle = 0.3; angle < 1.45; angle += 0.2)
+            for (double dt = 1.0 / 240; dt < 0.04; dt *= 2)
+                ck_assert_double_lt(rate_missed(length, angle, dt), 1e-3);
+}
+END_TEST
+
 int main(void)
 {
     const TTest *const tests[] = {
         coin_that_slaps_a_plane_sinks_by_less_than_a_fiftieth,
         blade_misses_no_ball,
+        conical_pendulum_keeps_its_rate_on_any_thread,
         NULL
     };
     return suite_run((suite){ .name = "turning", .tests = tests });

@@ -28,6 +28,7 @@ static void find_left(pair_list *l, const pair_query *q)
         int b = q->awake[k];
         if (l->is_new[b] || !(is_worn || has_left(l, q, b))) continue;
         l->is_new[b] = l->has_new = true;
+        l->asked += !is_worn;
     }
 }
 //<
@@ -133,10 +134,6 @@ static void list_walls(pair_list *l, const pair_query *q, int *lost)
 
 static void list_all(pair_list *l, const pair_query *q, int *lost)
 {
-    for (int b = 0; b < l->bodies; b++) {
-        if (l->is_new[b]) enlarge(l, q, b);
-        l->is_new[b] = false;
-    }
     int n = broad_pairs(&l->broad, l->listed, q->moves, l->pair, l->capacity);
     if (n > l->capacity && grow(&l->pair, &l->capacity, n))
         n = broad_pairs(&l->broad, l->listed, q->moves, l->pair, l->capacity);
@@ -208,21 +205,25 @@ static void list_some(pair_list *l, const pair_query *q, int *lost)
     merge(l, found);
     *lost = n - found;
     list_walls(l, q, lost);
-    for (int k = 0; k < l->looses; k++) l->is_new[l->loose[k]] = false;
 }
 
-// Those that are new are given larger balls.  Returns false if the tree has no
-// room for one.
-static bool place_new(pair_list *l, const pair_query *q)
+// Those that are new are given larger balls.
+static void enlarge_new(pair_list *l, const pair_query *q)
+{
+    int n = l->is_whole ? l->bodies : l->looses;
+    for (int k = 0; k < n; k++) {
+        int b = l->is_whole ? k : l->loose[k];
+        if (l->is_new[b]) enlarge(l, q, b);
+    }
+}
+
+// Returns false if the tree has no room for one.
+static bool place_new(pair_list *l)
 {
     bool fits = true;
-    for (int k = 0; k < l->looses; k++) {
-        int b = l->loose[k];
-        if (!l->is_new[b]) continue;
-        enlarge(l, q, b);
-        fits = fits && broad_put(&l->broad, l->listed, b);
-        l->asked++;
-    }
+    for (int k = 0; k < l->looses && fits; k++)
+        if (l->is_new[l->loose[k]])
+            fits = broad_put(&l->broad, l->listed, l->loose[k]);
     return fits;
 }
 
@@ -232,12 +233,12 @@ bool pair_list_update(pair_list *l, const pair_query *q, int *lost)
     l->is_whole = is_unsettled(l, q);
     find_left(l, q);
     if (!l->has_new && !l->is_whole) return false;
-    if (!l->is_whole) {
-        loosen(l, q);
-        l->is_whole = !place_new(l, q);
-    }
+    if (!l->is_whole) loosen(l, q);
+    enlarge_new(l, q);
+    l->is_whole = l->is_whole || !place_new(l);
     if (l->is_whole) list_all(l, q, lost);
     else             list_some(l, q, lost);
+    memset(l->is_new, 0, (size_t)l->bodies * sizeof *l->is_new);
     return true;
 }
 

@@ -50,7 +50,8 @@ typedef struct {
     bool   is_whole;    // the list has all pairs, see pair_list_part
     bool   is_due;      // all must be found, whatever is awake
     int    parted;      // pairs that pair_list_part has left out
-    int    asked;       // bodies whose pairs were found since all were
+    int    asked;       // so often a body has left its larger ball, since all
+                        // that moved were given new ones
     int  (*fresh)[2];   // [fresh_capacity] of these
     int    fresh_capacity;
 } pair_list;

@@ -17,14 +17,14 @@ status broad_init(broad *s, int bodies)
     return done;
 }
 
-// In a leaf of the tree of what stands still.  The fewer, the fewer balls are
+// In a leaf of the tree.  The fewer, the fewer balls are
 // compared, and the more memory the boxes take.
-enum { FEW_STILL = 4 };                     // tuned, balls
+enum { A_LEAF = 4 };                        // tuned, balls
 
-int broad_boxes(int stills)
+int broad_boxes(int bodies)
 {
     int leaves = 1;
-    while (leaves < 1 << 28 && leaves * FEW_STILL < stills) leaves *= 2;
+    while (leaves < 1 << 28 && leaves * A_LEAF < bodies) leaves *= 2;
     return 2 * leaves;
 }
 
@@ -35,8 +35,9 @@ static bool grow(broad *s, int bodies)
     bool ok = true;
     if (s->order && bodies <= s->room) return true;
     TABLE_GROW(ok, s->order, s->bodies, n);
-    TABLE_GROW(ok, s->some, s->bodies, n);
-    TABLE_GROW(ok, s->still, s->stills, n);
+    TABLE_GROW(ok, s->tree, s->in_tree, n);
+    TABLE_GROW(ok, s->place, s->bodies, n);
+    TABLE_GROW(ok, s->key, 0, n);
     TABLE_GROW(ok, s->box, 2 * s->leaves, broad_boxes(n));
     TABLE_GROW(ok, s->low, 0, n);
     TABLE_GROW(ok, s->high, 0, n);
@@ -55,15 +56,19 @@ status broad_grow(broad *s, int bodies)
 {
     assert(bodies >= 0);
     if (!grow(s, bodies)) return status_out_of_memory();
-    for (; s->bodies < bodies; s->bodies++) s->order[s->bodies] = s->bodies;
+    for (; s->bodies < bodies; s->bodies++) {
+        s->order[s->bodies] = s->bodies;
+        s->place[s->bodies] = -1;
+    }
     return status_ok();
 }
 
 void broad_free(broad *s)
 {
     free(s->order);
-    free(s->some);
-    free(s->still);
+    free(s->tree);
+    free(s->place);
+    free(s->key);
     free(s->box);
     free(s->low);
     free(s->high);
@@ -393,26 +398,19 @@ static void sort_by_b(int (*pair)[2], int n)
         }
 }
 
-// The k-th of those that are asked, by number.
-static int number_of(const broad *s, int k)
-{
-    return s->number ? s->number[k] : k;
-}
-
 // Sorts the pairs by a, then by b, where they lie.  The counts in first tell
 // where each a's pairs begin.  A pair that lies among another's is exchanged
 // with the first there that may be out of place, and is then home for good.
 static void sort_pairs(broad *s, int (*pair)[2])
 {
     int n = s->bodies, sum = 0;
-    for (int k = 0; k < n; k++) {
-        int a = number_of(s, k), count = s->first[a];
+    for (int a = 0; a < n; a++) {
+        int count = s->first[a];
         s->first[a] = s->mover[a] = sum;
         sum += count;
     }
-    for (int k = 0; k < n; k++) {
-        int a = number_of(s, k);
-        int end = k + 1 < n ? s->first[number_of(s, k + 1)] : sum;
+    for (int a = 0; a < n; a++) {
+        int end = a + 1 < n ? s->first[a + 1] : sum;
         while (s->mover[a] < end) {
             int *here = pair[s->mover[a]];
             int *home = pair[s->mover[here[0]]++];
@@ -448,29 +446,19 @@ void broad_order(int (*pair)[2], int n)
 //> broad-all
 //>   The paper's way is short, and hard to get wrong. It is the oracle of the
 //>   tests.
-static int all_pairs(const broad *s, const sphere *ball, const char *moves,
-                     int (*out)[2], int capacity)
-{
-    assert(s->bodies >= 0 && capacity >= 0);
-    pair_list list = { out, capacity, 0 };
-    for (int i = 0; i < s->bodies; i++) {
-        int a = number_of(s, i);
-        if (ball_is_empty(ball[a])) continue;
-        for (int j = i + 1; j < s->bodies; j++) {
-            int b = number_of(s, j);
-            if (balls_meet(ball[a], ball[b]) && !ball_is_empty(ball[b])
-                && (moves[a] || moves[b]))
-                add_pair(&list, a, b);
-        }
-    }
-    return list.found;
-}
-
 int broad_pairs_all(const sphere *ball, const char *moves, int bodies,
                     int (*out)[2], int capacity)
 {
-    broad all = { .bodies = bodies };
-    return all_pairs(&all, ball, moves, out, capacity);
+    assert(bodies >= 0 && capacity >= 0);
+    pair_list list = { out, capacity, 0 };
+    for (int a = 0; a < bodies; a++) {
+        if (ball_is_empty(ball[a])) continue;
+        for (int b = a + 1; b < bodies; b++)
+            if (balls_meet(ball[a], ball[b]) && !ball_is_empty(ball[b])
+                && (moves[a] || moves[b]))
+                add_pair(&list, a, b);
+    }
+    return list.found;
 }
 //<
 
@@ -488,7 +476,7 @@ int broad_pairs(broad *s, const sphere *ball, const char *moves,
     pair_list list = { out, capacity < most ? capacity : (int)most, 0 };
 
     // Where no body moves, none needs to be sorted.
-    while (k < n && !moves[number_of(s, k)]) k++;
+    while (k < n && !moves[k]) k++;
     s->places = 0;
     if (k == n) return 0;
 
@@ -500,33 +488,17 @@ int broad_pairs(broad *s, const sphere *ball, const char *moves,
     // Too many to be worth sorting, or to be kept: looking at every pair finds
     // them in order, so that it keeps the first.
     if (list.found > list.capacity)
-        return all_pairs(s, ball, moves, out, capacity);
+        return broad_pairs_all(ball, moves, n, out, capacity);
     if (list.found > 0) sort_pairs(s, out);
     return list.found;
 }
-
-int broad_some(broad *s, const int *number, int n, bool is_new,
-               const sphere *ball, const char *moves, int (*out)[2],
-               int capacity)
-{
-    int all = s->bodies, *order = s->order;
-    if (is_new) memcpy(s->some, number, (size_t)n * sizeof *number);
-    s->bodies = n;
-    s->order = s->some;
-    s->number = number;
-    int found = broad_pairs(s, ball, moves, out, capacity);
-    s->bodies = all;
-    s->order = order;
-    s->number = NULL;
-    return found;
-}
 //<
 
-//> broad-still
-//>   What stands still is put into a tree, once: its leaves are a few neighbours
-//>   in a lane. What moves asks the tree, from the top down, and goes into a box
-//>   only if it may touch it. So a ball among ten thousand that sleep looks at a
-//>   few dozen boxes, and at none that is far.
+//> broad-tree
+//>   All balls are put into a tree when all pairs are found: its leaves are a few
+//>   neighbours on a curve. One that has become another asks the tree, from the top
+//>   down, and goes into a box only if it may touch it. So a ball among ten thousand
+//>   looks at a few dozen boxes, and at none that is far.
 static const shadow NOTHING = { HUGE_VAL, -HUGE_VAL };
 
 static shadow around(shadow x, shadow y)
@@ -539,35 +511,83 @@ static int least(int a, int b) { return a < b ? a : b; }
 
 static void box_leaf(broad *s, const sphere *ball, int leaf)
 {
-    int end = least((leaf + 1) * FEW_STILL, s->stills);
+    int end = least((leaf + 1) * A_LEAF, s->in_tree);
     for (int axis = 0; axis < 3; axis++) {
         shadow *box = &s->box[s->leaves + leaf][axis];
         *box = NOTHING;
-        for (int k = leaf * FEW_STILL; k < end; k++)
-            *box = around(*box, whole_shadow(ball[s->still[k]], axis));
+        for (int k = leaf * A_LEAF; k < end; k++)
+            *box = around(*box, whole_shadow(ball[s->tree[k]], axis));
     }
 }
 
-// (Each body once: it stands in several lanes.  Where all were compared with all,
-// or nothing moved, there are no lanes.)
-void broad_settle(broad *s, const sphere *ball, const char *is_still)
+static void box_two(broad *s, int k)
 {
-    s->stills = 0;
-    for (int l = 0; l < s->lanes[0] * s->lanes[1] && s->places > 0; l++)
-        for (int k = s->lane[l]; k < s->lane[l + 1]; k++) {
-            int b = s->who[k];
-            const lane_range *r = s->reach[b];
-            int home = r[0].first * s->lanes[1] + r[1].first;
-            if (is_still[b] && home == l) s->still[s->stills++] = b;
+    for (int axis = 0; axis < 3; axis++)
+        s->box[k][axis] = around(s->box[2 * k][axis], s->box[2 * k + 1][axis]);
+}
+
+// Cells of a box around all, along each axis; a power of two.
+enum { CELLS = 256 };
+
+// The bits of a number below CELLS, with two zeros between each.
+static int spread_bits(int x)
+{
+    int sum = 0;
+    for (int bit = 1, at = 0; bit < CELLS; bit *= 2, at += 2)
+        sum |= (x & bit) << at;
+    return sum;
+}
+
+// Where balls are on Morton's curve through all cells, which mostly goes from one
+// cell to the next.
+static void find_curve(broad *s, const sphere *ball, int (*key)[2])
+{
+    shadow all[3] = { NOTHING, NOTHING, NOTHING };
+    for (int k = 0; k < s->in_tree; k++)
+        for (int axis = 0; axis < 3 && ball_is_finite(ball[key[k][1]]); axis++)
+            all[axis] = around(all[axis], shadow_of(ball[key[k][1]], axis));
+    for (int k = 0; k < s->in_tree; k++) {
+        vec3 c = ball[key[k][1]].center;
+        real at[3] = { c.x, c.y, c.z };
+        for (int axis = 0; axis < 3; axis++) {
+            shadow x = all[axis];
+            int cell = lane_of(at[axis], x.low, CELLS / (x.high - x.low), CELLS);
+            key[k][0] |= spread_bits(cell) << axis;
         }
-    for (int b = 0; b < s->bodies && s->places == 0; b++)
-        if (is_still[b] && !ball_is_empty(ball[b])) s->still[s->stills++] = b;
-    s->leaves = broad_boxes(s->stills) / 2;
+    }
+}
+
+void broad_plant(broad *s, const sphere *ball)
+{
+    s->in_tree = 0;
+    for (int b = 0; b < s->bodies; b++) {
+        s->place[b] = -1;
+        if (ball_is_empty(ball[b])) continue;
+        s->key[s->in_tree][0] = 0;
+        s->key[s->in_tree++][1] = b;
+    }
+    find_curve(s, ball, s->key);
+    broad_order(s->key, s->in_tree);
+    for (int k = 0; k < s->in_tree; k++) {
+        s->tree[k] = s->key[k][1];
+        s->place[s->tree[k]] = k;
+    }
+    s->leaves = broad_boxes(s->in_tree) / 2;
     for (int k = 0; k < s->leaves; k++) box_leaf(s, ball, k);
-    for (int k = s->leaves - 1; k > 0; k--)
-        for (int axis = 0; axis < 3; axis++)
-            s->box[k][axis] = around(s->box[2 * k][axis],
-                                     s->box[2 * k + 1][axis]);
+    for (int k = s->leaves - 1; k > 0; k--) box_two(s, k);
+}
+
+bool broad_put(broad *s, const sphere *ball, int b)
+{
+    if (s->place[b] < 0 && s->in_tree >= s->leaves * A_LEAF) return false;
+    if (s->place[b] < 0) {
+        s->place[b] = s->in_tree;
+        s->tree[s->in_tree++] = b;
+    }
+    int leaf = s->place[b] / A_LEAF;
+    box_leaf(s, ball, leaf);
+    for (int k = (s->leaves + leaf) / 2; k > 0; k /= 2) box_two(s, k);
+    return true;
 }
 
 static bool overlaps(const shadow x[3], const shadow y[3])
@@ -586,23 +606,27 @@ typedef struct {
     const broad *s;
     const sphere *ball;
     const char *moves;
+    const bool *is_asked;
     int b;
     shadow box[3];
     pair_list out;
-} still_query;
+} tree_query;
 
-static void ask_leaf(still_query *q, int leaf)
+static void ask_leaf(tree_query *q, int leaf)
 {
-    int end = least((leaf + 1) * FEW_STILL, q->s->stills), b = q->b;
-    for (int k = leaf * FEW_STILL; k < end; k++) {
-        int c = q->s->still[k];
-        if ((q->moves[b] || q->moves[c]) && balls_meet(q->ball[b], q->ball[c]))
+    int end = least((leaf + 1) * A_LEAF, q->s->in_tree), b = q->b;
+    for (int k = leaf * A_LEAF; k < end; k++) {
+        int c = q->s->tree[k];
+        if (c == b || (c < b && q->is_asked[c])) continue;
+        if (ball_is_empty(q->ball[c])) continue;
+        if ((q->moves[b] || q->moves[c])
+            && balls_meet(q->ball[b], q->ball[c]))
             add_pair(&q->out, least(b, c), b < c ? c : b);
     }
 }
 
 // It calls itself no deeper than an int has bits.
-static void ask_box(still_query *q, int k)
+static void ask_box(tree_query *q, int k)
 {
     if (!overlaps(q->s->box[k], q->box)) return;
     if (k >= q->s->leaves) {
@@ -612,18 +636,16 @@ static void ask_box(still_query *q, int k)
     ask_box(q, 2 * k);
     ask_box(q, 2 * k + 1);
 }
-//<
 
-//> broad-near
-//>   What is found is added to the pairs of those that move.
-int broad_near(const broad *s, const sphere *ball, const char *moves, int b,
-               int (*out)[2], int capacity, int found)
+int broad_near(const broad *s, const sphere *ball, const char *moves,
+               const bool *is_asked, int b, int (*out)[2], int capacity,
+               int found)
 {
-    still_query q = { s, ball, moves, b, { { 0, 0 } },
-                      { out, capacity, found } };
+    tree_query q = { s, ball, moves, is_asked, b, { { 0, 0 } },
+                     { out, capacity, found } };
     for (int axis = 0; axis < 3; axis++)
         q.box[axis] = whole_shadow(ball[b], axis);
-    if (s->stills > 0 && !ball_is_empty(ball[b])) ask_box(&q, 1);
+    if (s->in_tree > 0 && !ball_is_empty(ball[b])) ask_box(&q, 1);
     return q.out.found;
 }
 //<

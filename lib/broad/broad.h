@@ -1,6 +1,6 @@
 //> broad-head
-//>   One struct holds what is kept from frame to frame, which is only the
-//>   order, and the arrays that each call fills again.
+//>   One struct holds what is kept from frame to frame, the order and a tree,
+//>   and the arrays that each call fills again.
 // broad.h - which bodies may meet?  Sorted, instead of every pair.
 //
 // Paper: section 5 tests every pair.  Sweep and prune after Baraff (1992).
@@ -30,8 +30,6 @@ typedef struct {
 typedef struct broad {
     int   bodies, room; // so many there are, and for so many there is room
     int  *order;        // [bodies] by low, equal ones by number
-    int  *some;         // [bodies] the same of a part of them, see broad_some
-    const int *number;  // [bodies] those of that part; NULL: all are asked
     real *low, *high;   // [bodies] m, ends of each ball along x
     int  *first;        // [bodies + 1] scratch of the sorting of pairs
 
@@ -48,10 +46,13 @@ typedef struct broad {
 
     long shifts;        // places that bodies moved up in the last sorting
 
-    // A tree of boxes around what stands still: around a few neighbours in the
-    // line each, then around two boxes each.
-    int   *still;       // [stills] in the order of lanes
-    int    stills, leaves;      // leaves: a power of two
+    // A tree of boxes: around a few neighbours on a curve each, then around two
+    // boxes each.
+    int  (*key)[2];     // [bodies] scratch: where on the curve, and which body
+    int   *tree;        // [in_tree] bodies along the curve; behind them, what has
+                        // come since
+    int   *place;       // [bodies] where each is in it; -1: nowhere
+    int    in_tree, leaves;     // leaves: a power of two
     shadow (*box)[3];   // [2 * leaves] 1: around all; 2k and 2k + 1 are in k
 } broad;
 //<
@@ -73,22 +74,22 @@ void   broad_free(broad *s);            // an empty or zeroed one is fine
 int broad_pairs(broad *s, const sphere *ball, const char *moves,
                 int (*out)[2], int capacity);
 
-// The same among some bodies: n numbers, ascending.  is_new: these are others
-// than in the last call.
-int broad_some(broad *s, const int *number, int n, bool is_new,
-               const sphere *ball, const char *moves, int (*out)[2],
-               int capacity);
-
 // So many boxes has a tree of so many bodies.
-int broad_boxes(int stills);
+int broad_boxes(int bodies);
 
-// After broad_pairs: those that is_still says will stay where they are.
-void broad_settle(broad *s, const sphere *ball, const char *is_still);
+// The tree of all these balls.
+void broad_plant(broad *s, const sphere *ball);
 
-// Adds to out, where there are `found` pairs already, those of body b and what
-// stands still, in any order.  Returns how many there are then.
-int broad_near(const broad *s, const sphere *ball, const char *moves, int b,
-               int (*out)[2], int capacity, int found);
+// Ball b is another one now, or has come.  Returns false if the tree has no room
+// for it.
+bool broad_put(broad *s, const sphere *ball, int b);
+
+// Adds to out, where there are `found` pairs already, those of body b, in any
+// order; but none with a lower one that is_asked, too.  Returns how many there are
+// then.
+int broad_near(const broad *s, const sphere *ball, const char *moves,
+               const bool *is_asked, int b, int (*out)[2], int capacity,
+               int found);
 
 // Sorts n pairs by a, then by b, where they lie: Shell's passes again.
 void broad_order(int (*pair)[2], int n);

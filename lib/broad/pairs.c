@@ -1,26 +1,35 @@
-//> pairs-holds
-//>   Does the list still hold? That takes one distance a body. The comparison
-//>   is again written with a *not*, so that a body at NaN makes a new list.
+//> pairs-left
+//>   Who has left its larger ball? That takes one distance a body. The comparison
+//>   is again written with a *not*, so that a body at NaN is asked again.
 #include "pairs.h"
 #include "table.h"
 
 #include <stddef.h>
 #include <stdlib.h>
+#include <string.h>
 
-static bool holds(const pair_list *l, const pair_query *q)
+static bool has_left(const pair_list *l, const pair_query *q, int b)
 {
-    if (l->lists == 0 || l->is_cut) return false;
+    const sphere *was = &l->listed[b];
+    real room = was->radius - q->ball[b].radius - q->reach[b];
+    vec3 way = vec3_sub(q->ball[b].center, was->center);
+    if (!q->moves[b] || q->ball[b].radius < 0) return false;
+    return !(room >= 0 && vec3_length_squared(way) <= room * room);
+}
+
+// Where as many have been asked again as there are bodies, the boxes around them
+// are large, and so are the balls of what was fast: all that moves is asked again.
+static void find_left(pair_list *l, const pair_query *q)
+{
+    bool is_worn = l->asked > l->bodies;
+    l->is_whole |= is_worn;
+    if (is_worn) l->asked = 0;
     for (int k = 0; k < q->awakes; k++) {
         int b = q->awake[k];
-        const sphere *was = &l->listed[b];
-        if (!q->moves[b] || l->is_new[b]) continue;
-        real room = was->radius - q->ball[b].radius - q->reach[b];
-        vec3 way = vec3_sub(q->ball[b].center, was->center);
-        if (q->ball[b].radius < 0) continue;
-        if (!(room >= 0 && vec3_length_squared(way) <= room * room))
-            return false;
+        if (l->is_new[b] || !(is_worn || has_left(l, q, b))) continue;
+        l->is_new[b] = l->has_new = true;
+        l->asked += !is_worn;
     }
-    return true;
 }
 //<
 
@@ -33,9 +42,7 @@ static void loosen(pair_list *l, const pair_query *q)
         while (at < was && l->loose[at] < q->awake[k]) at++;
         both += at == was || l->loose[at] != q->awake[k];
     }
-    if (both == was) return;
     l->looses = both;
-    l->is_new_loose = true;
     for (int k = q->awakes - 1, i = was - 1; both > 0;) {
         int a = k >= 0 ? q->awake[k] : -1, b = i >= 0 ? l->loose[i] : -1;
         l->loose[--both] = int_max(a, b);
@@ -49,18 +56,11 @@ static void loosen(pair_list *l, const pair_query *q)
 static const real WIDER = 0.1;              // tuned, radii
 static const real MOVES = 2;                // tuned, moves
 
-static void enlarge(pair_list *l, const pair_query *q, bool all)
+static void enlarge(pair_list *l, const pair_query *q, int b)
 {
-    if (!l->is_whole) loosen(l, q);
-    int bodies = l->is_whole ? l->bodies : l->looses;
-    for (int k = 0; k < bodies; k++) {
-        int b = l->is_whole ? k : l->loose[k];
-        if (!all && !l->is_new[b]) continue;
-        l->is_new[b] = false;
-        l->listed[b] = q->ball[b];
-        if (q->ball[b].radius < 0) continue;
-        l->listed[b].radius += WIDER * q->ball[b].radius + MOVES * q->reach[b];
-    }
+    l->listed[b] = q->ball[b];
+    if (q->ball[b].radius < 0) return;
+    l->listed[b].radius += WIDER * q->ball[b].radius + MOVES * q->reach[b];
 }
 
 // Are all pairs to be found again?  Where more than half of what is loose has
@@ -82,28 +82,6 @@ static void settle(pair_list *l, const pair_query *q)
         l->is_settled[q->awake[k]] = false;
     }
     l->looses = q->awakes;
-    l->is_new_loose = true;
-    if (l->bodies > 0) broad_settle(&l->broad, l->listed, l->is_settled);
-}
-
-// Among what is loose, and of that with what is settled.
-static int find_loose(pair_list *l, const pair_query *q)
-{
-    int n = broad_some(&l->broad, l->loose, l->looses, l->is_new_loose,
-                       l->listed, q->moves, l->pair, l->capacity);
-    l->is_new_loose = false;
-    for (int k = 0; k < l->looses; k++)
-        n = broad_near(&l->broad, l->listed, q->moves, l->loose[k], l->pair,
-                       l->capacity, n);
-    if (n <= l->capacity) broad_order(l->pair, n);
-    return n;
-}
-
-static int find_pairs(pair_list *l, const pair_query *q)
-{
-    return l->is_whole ? broad_pairs(&l->broad, l->listed, q->moves, l->pair,
-                                     l->capacity)
-                       : find_loose(l, q);
 }
 
 // Room for half as many again; the list is made again, so nothing is kept.
@@ -142,32 +120,125 @@ static int find_walls(pair_list *l, const pair_query *q)
     return n;
 }
 
-static void list(pair_list *l, const pair_query *q, int *lost)
+static void list_walls(pair_list *l, const pair_query *q, int *lost)
 {
-    int n = find_pairs(l, q);
-    if (n > l->capacity && grow(&l->pair, &l->capacity, n))
-        n = find_pairs(l, q);
     int walls = find_walls(l, q);
     if (walls > l->wall_capacity && grow(&l->wall, &l->wall_capacity, walls))
         walls = find_walls(l, q);
-    l->count = int_min(n, l->capacity);
     l->walls = int_min(walls, l->wall_capacity);
-    *lost = n - l->count + walls - l->walls;
+    *lost += walls - l->walls;
     l->is_cut = *lost > 0;
     l->has_new = false;
-    if (l->is_whole) settle(l, q);
-    l->is_due &= !l->is_whole;
     l->lists++;
+}
+
+static void list_all(pair_list *l, const pair_query *q, int *lost)
+{
+    int n = broad_pairs(&l->broad, l->listed, q->moves, l->pair, l->capacity);
+    if (n > l->capacity && grow(&l->pair, &l->capacity, n))
+        n = broad_pairs(&l->broad, l->listed, q->moves, l->pair, l->capacity);
+    l->count = int_min(n, l->capacity);
+    *lost = n - l->count;
+    list_walls(l, q, lost);
+    settle(l, q);
+    if (l->bodies > 0) broad_plant(&l->broad, l->listed);
+    l->is_due = false;
+}
+
+// The pairs of those that are asked again, in l->fresh.
+static int find_fresh(pair_list *l, const pair_query *q)
+{
+    int n = 0;
+    for (int k = 0; k < l->looses; k++)
+        if (l->is_new[l->loose[k]])
+            n = broad_near(&l->broad, l->listed, q->moves, l->is_new,
+                           l->loose[k], l->fresh, l->fresh_capacity, n);
+    return n;
+}
+
+static void drop_old(pair_list *l)
+{
+    int kept = 0;
+    for (int k = 0; k < l->count; k++) {
+        int a = l->pair[k][0], b = l->pair[k][1];
+        if (l->is_new[a] || l->is_new[b]) continue;
+        l->pair[kept][0] = a;
+        l->pair[kept++][1] = b;
+    }
+    l->count = kept;
+}
+
+static bool comes_after(const int x[2], const int y[2])
+{
+    return x[0] > y[0] || (x[0] == y[0] && x[1] > y[1]);
+}
+
+// Two sorted lists become one, from the end on.
+static void merge(pair_list *l, int fresh)
+{
+    int i = l->count - 1, j = fresh - 1;
+    l->count += fresh;
+    for (int k = l->count - 1; j >= 0; k--) {
+        bool is_old = i >= 0 && comes_after(l->pair[i], l->fresh[j]);
+        memcpy(l->pair[k], is_old ? l->pair[i--] : l->fresh[j--],
+               sizeof l->pair[k]);
+    }
+}
+
+// Those of the bodies that are new, or have left their larger balls; the others
+// stay.
+static void list_some(pair_list *l, const pair_query *q, int *lost)
+{
+    int n = find_fresh(l, q), room = l->capacity;
+    if (n > l->fresh_capacity && grow(&l->fresh, &l->fresh_capacity, n))
+        n = find_fresh(l, q);
+    int found = int_min(n, l->fresh_capacity);
+    broad_order(l->fresh, found);
+    drop_old(l);
+    bool ok = true;
+    if (l->count + found > room) {
+        room = l->count + found + found / 2;
+        TABLE_GROW(ok, l->pair, l->count, room);
+        if (ok) l->capacity = room;
+    }
+    found = int_min(found, l->capacity - l->count);
+    merge(l, found);
+    *lost = n - found;
+    list_walls(l, q, lost);
+}
+
+// Those that are new are given larger balls.
+static void enlarge_new(pair_list *l, const pair_query *q)
+{
+    int n = l->is_whole ? l->bodies : l->looses;
+    for (int k = 0; k < n; k++) {
+        int b = l->is_whole ? k : l->loose[k];
+        if (l->is_new[b]) enlarge(l, q, b);
+    }
+}
+
+// Returns false if the tree has no room for one.
+static bool place_new(pair_list *l)
+{
+    bool fits = true;
+    for (int k = 0; k < l->looses && fits; k++)
+        if (l->is_new[l->loose[k]])
+            fits = broad_put(&l->broad, l->listed, l->loose[k]);
+    return fits;
 }
 
 bool pair_list_update(pair_list *l, const pair_query *q, int *lost)
 {
-    bool is_good = holds(l, q);
     *lost = 0;
     l->is_whole = is_unsettled(l, q);
-    if (is_good && !l->has_new && !l->is_whole) return false;
-    enlarge(l, q, !is_good);
-    list(l, q, lost);
+    find_left(l, q);
+    if (!l->has_new && !l->is_whole) return false;
+    if (!l->is_whole) loosen(l, q);
+    enlarge_new(l, q);
+    l->is_whole = l->is_whole || !place_new(l);
+    if (l->is_whole) list_all(l, q, lost);
+    else             list_some(l, q, lost);
+    memset(l->is_new, 0, (size_t)l->bodies * sizeof *l->is_new);
     return true;
 }
 
@@ -176,7 +247,7 @@ bool pair_list_wake(pair_list *l, const pair_query *q, int *lost)
     *lost = 0;
     if (!is_unsettled(l, q)) return false;
     l->is_whole = true;
-    list(l, q, lost);
+    list_all(l, q, lost);
     return true;
 }
 
@@ -225,12 +296,13 @@ static bool make_room(pair_list *l, int bodies)
 {
     int room = table_room(bodies, l->room), n = int_max(room, 1);
     bool ok = true;
-    if (l->pair && bodies <= l->room) return true;
+    if (l->pair && l->fresh && bodies <= l->room) return true;
     TABLE_GROW(ok, l->listed, l->bodies, n);
     TABLE_GROW(ok, l->is_new, l->bodies, n);
     TABLE_GROW(ok, l->is_settled, l->bodies, n);
     TABLE_GROW(ok, l->loose, l->bodies, n);
     if (!l->pair) ok = ok && grow(&l->pair, &l->capacity, 8 * n);
+    if (!l->fresh) ok = ok && grow(&l->fresh, &l->fresh_capacity, n);
     if (ok) l->room = room;
     return ok;
 }
@@ -248,6 +320,7 @@ void pair_list_free(pair_list *l)
 {
     broad_free(&l->broad);
     free(l->pair);
+    free(l->fresh);
     free(l->wall);
     free(l->listed);
     free(l->is_new);

@@ -48,9 +48,12 @@ typedef struct {
     int    *loose;      // [looses] by number
     int    looses;
     bool   is_whole;    // the list has all pairs, see pair_list_part
-    bool   is_new_loose;        // since the last list of those that are
     bool   is_due;      // all must be found, whatever is awake
     int    parted;      // pairs that pair_list_part has left out
+    int    asked;       // so often a body has left its larger ball, since all
+                        // that moved were given new ones
+    int  (*fresh)[2];   // [fresh_capacity] of these
+    int    fresh_capacity;
 } pair_list;
 //<
 

@@ -583,6 +583,8 @@ static void query_pair(contact_cache *c, const cache_frame *f, cache_pair *p)
     collider x = placed_body(c, f, a), y = placed_body(c, f, b);
     swept_status swept = SWEPT_OVERLAP;
     now->count = 0;
+    // (What was out of reach is as if it had not been listed.)
+    if (p->seen[0] < 0) e->carried.count = 0;
     p->seen[0] = p->seen[1] = -1;
     bool may_pass = flies(f, a, b);
     if (may_pass || turns(f, a, b)) swept = query_swept(now, f);

@@ -485,31 +485,53 @@ static void fill_one(void *data, int number)
     fill_block(data, number);
 }
 
+//<
+
+//> passes-keep
+//>   Where the contacts of a block are those of the frame before, it is kept. Only
+//>   its rows and gaps are made again. (A heap that lies still keeps all.)
+static void keep_block(const preparation *p, int number)
+{
+    block *k = &p->s->block[number];
+    raw_block raw;
+    set_material(p, k);
+    if (k->lies) {
+        see_gaps_of(p->s, k, p->f, &raw);
+        if (all_lies(p->s, k, p->f)) return;
+    }
+    make_rows_of(p->s, k, p->f);
+}
+
+static bool block_is_good(const preparation *p, int number)
+{
+    const contact_solver *s = p->s;
+    const block *k = &s->block[number];
+    int first, lanes = lanes_of(s, number, &first), at = s->start[number];
+    bool good = k->point == s->point + at && k->place == s->place + at
+             && k->points == s->start[number + 1] - at;
+    for (int l = 0; l < REAL4 && good; l++) {
+        int n = l < lanes ? s->order[first + l] : -1;
+        good = k->contact[l] == n
+            && (n < 0 || solver_is_kept(&s->active[n], p->f));
+    }
+    return good;
+}
+
 static void fill_chunk(void *data, int item)
 {
     const preparation *p = data;
     int end = task_last(item, p->s->blocks, FEW_BLOCKS);
-    for (int k = item * FEW_BLOCKS; k < end; k++) fill_block(p, k);
+    for (int k = item * FEW_BLOCKS; k < end; k++) {
+        if (k < p->known && block_is_good(p, k)) keep_block(p, k);
+        else fill_block(p, k);
+    }
 }
-//<
 
-//> passes-keep
-//>   While a heap lies still its contacts are kept (chapter 18), and so are
-//>   their blocks. Only rows and gaps are made again.
 static void keep_chunk(void *data, int item)
 {
     const preparation *p = data;
     int end = task_end(item, p->s->blocks);
-    for (int n = item * TASK_CHUNK; n < end; n++) {
-        block *k = &p->s->block[n];
-        raw_block raw;
-        set_material(p, k);
-        if (k->lies) {
-            see_gaps_of(p->s, k, p->f, &raw);
-            if (all_lies(p->s, k, p->f)) continue;
-        }
-        make_rows_of(p->s, k, p->f);
-    }
+    for (int k = item * TASK_CHUNK; k < end; k++) keep_block(p, k);
 }
 //<
 

@@ -197,6 +197,13 @@ static inline real active_age(const active_contact *x, const solver_frame *f)
     return f->age ? f->age[x->a] : f->h;
 }
 
+// Is it that of the frame before, with the same points and impulses?
+static inline bool solver_is_kept(const active_contact *x,
+                                  const solver_frame *f)
+{
+    return !x->is_new && active_age(x, f) == f->h;
+}
+
 typedef struct {
     int  first, count;  // blocks
     int  contacts;
@@ -239,6 +246,7 @@ typedef struct {
     const solver_frame *f;
     const contact *const *table;
     const real *reach;
+    int known;          // so many blocks are those of the frame before
 } preparation;
 
 // What a pass over the blocks is given.

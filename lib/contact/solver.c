@@ -164,15 +164,18 @@ static void activate_chunk(void *data, int item)
     }
 }
 
-// Are these the contacts of the frame before, with the same points?  Then their
-// blocks are good still: only the rows are made again.
-static bool may_keep_blocks(const contact_solver *s, const solver_frame *f)
+// Are the blocks those of the frame before?  Then one whose contacts are the same,
+// with the same points, is good still: only its rows are made again.
+static bool has_blocks(const contact_solver *s, const solver_frame *f)
 {
-    if (s->known != s->contacts || s->end - s->first < s->contacts
-        || f->h != s->h || !(f->warm == 1)) return false;
+    return s->end - s->first == s->contacts && f->h == s->h && f->warm == 1;
+}
+
+static bool may_keep_all(const contact_solver *s, const solver_frame *f)
+{
+    if (s->known != s->contacts || !has_blocks(s, f)) return false;
     for (int k = 0; k < s->contacts; k++)
-        if (s->active[k].is_new || active_age(&s->active[k], f) != f->h)
-            return false;
+        if (!solver_is_kept(&s->active[k], f)) return false;
     return true;
 }
 
@@ -239,12 +242,15 @@ static bool make_block_room(contact_solver *s)
 static bool make_blocks(contact_solver *s, preparation *p)
 {
     int end[BINS];
+    p->known = s->blocks;
     for (int k = s->first; k < s->end; k++) clear_colors(s, &s->active[k]);
     for (int k = s->first; k < s->end; k++)
         if (s->active[k].count > 0) choose_color(s, &s->active[k]);
     sort_contacts(s, end);
     list_colors(s, end);
+    const block *were = s->block;
     if (!make_block_room(s)) return false;
+    if (s->block != were || !has_blocks(s, p->f)) p->known = 0;
     tasks_run(p->f->run, passes_best()->fill, p,
               task_items(s->blocks, FEW_BLOCKS));
     // Blocks of some of the contacts are not those of the next frame.
@@ -280,7 +286,7 @@ bool solver_prepare(contact_solver *s, const solver_frame *f,
     for (int k = s->first; k < s->end && !s->strikes; k++)
         s->strikes = s->active[k].count > 0 && solver_strikes(f, table[k]);
     preparation p = { .s = s, .f = f, .table = table };
-    if (may_keep_blocks(s, f)) {
+    if (may_keep_all(s, f)) {
         tasks_run(f->run, passes_best()->keep, &p, task_chunks(s->blocks));
         return true;
     }

@@ -29,10 +29,11 @@ static void broad_store(broad *x, store *s)
 {
     int n = x->room, places = LANES_A_BODY * n;
     STORE_TABLE(s, x->order, x->bodies, n);
-    STORE_ROOM(s, x->some, n);
-    STORE_ROOM(s, x->still, n);
+    STORE_ROOM(s, x->tree, n);
+    STORE_ROOM(s, x->place, n);
+    STORE_ROOM(s, x->key, n);
     STORE_ROOM(s, x->box, broad_boxes(n));
-    STORE_FORGET(s, x->stills);
+    STORE_FORGET(s, x->in_tree);
     STORE_FORGET(s, x->leaves);
     STORE_ROOM(s, x->low, n);
     STORE_ROOM(s, x->high, n);
@@ -48,13 +49,13 @@ static void broad_store(broad *x, store *s)
 static void pair_list_store(pair_list *l, store *s)
 {
     STORE_ROOM(s, l->pair, l->capacity);
+    STORE_ROOM(s, l->fresh, l->fresh_capacity);
     STORE_ROOM(s, l->wall, l->wall_capacity);
     STORE_TABLE(s, l->listed, l->bodies, l->room);
     STORE_TABLE(s, l->is_new, l->bodies, l->room);
     STORE_ZEROS(s, l->is_settled, l->room);
     STORE_ROOM(s, l->loose, l->room);
     STORE_FORGET(s, l->looses);
-    STORE_FORGET(s, l->is_new_loose);
     STORE_FORGET(s, l->is_due);
     l->is_due |= s->is_reading;
     broad_store(&l->broad, s);

@@ -631,8 +631,9 @@ START_TEST(refused_memory_leaves_nothing)
         ck_assert(!t.bodies && !t.order && !t.low && !t.high && !t.first);
         ck_assert(!t.start && !t.line && !t.mover);
         ck_assert(!t.reach && !t.lane && !t.who);
+        ck_assert(!t.key && !t.tree && !t.place && !t.box);
     }
-    ck_assert_int_eq(n, 14);
+    ck_assert_int_eq(n, 15);
     broad_free(&t);
 }
 END_TEST

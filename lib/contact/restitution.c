@@ -269,15 +269,38 @@ static void stand_at(const impact *x, const impact_solver *s, real t,
     }
 }
 
-// Two balls meet along the line of their centres.
-static void face_each_other(contact *c, const rigid_frame at[BODIES])
+static bool are_balls(const contact *c)
 {
     const contact_point *p = &c->point[0];
     vec3 origin = { 0, 0, 0 };
-    if (c->b < 0 || c->count != 1 || !(c->round_a > 0 && c->round_b > 0)
-        || vec3_distance(p->local_a, origin) > 0
-        || vec3_distance(p->local_b, origin) > 0) return;
-    c->normal = vec3_unit(vec3_sub(at[A].center, at[B].center));
+    return c->b >= 0 && c->count == 1 && c->round_a > 0 && c->round_b > 0
+        && !(vec3_distance(p->local_a, origin) > 0)
+        && !(vec3_distance(p->local_b, origin) > 0);
+}
+
+// Two balls meet along the line of their centres.
+static void face_each_other(contact *c, const rigid_frame at[BODIES])
+{
+    if (are_balls(c))
+        c->normal = vec3_unit(vec3_sub(at[A].center, at[B].center));
+}
+
+static vec3 comes_to(const solver_frame *f, int b, const motion *u,
+                   const motion *moved)
+{
+    vec3 way = { moved->of[0] + f->h * u->of[0], moved->of[1] + f->h * u->of[1],
+                 moved->of[2] + f->h * u->of[2] };
+    return vec3_add(f->body[b].frame.center, way);
+}
+
+bool restitution_face(contact *c, const solver_frame *f,
+                      const motion *velocity, const motion *moved)
+{
+    if (!are_balls(c)) return false;
+    vec3 a = comes_to(f, c->a, &velocity[c->a], &moved[c->a]);
+    vec3 b = comes_to(f, c->b, &velocity[c->b], &moved[c->b]);
+    c->normal = vec3_unit(vec3_sub(a, b));
+    return true;
 }
 
 // A gap closes as each side goes; both are struck at one place.

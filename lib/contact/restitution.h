@@ -35,6 +35,11 @@
 enum { IMPACT_ROUNDS = 8 };     // tuned, rounds
 int restitution_solve(const contact *const *table, int n, const solver_frame *f,
                       motion *velocity, motion *moved);
+
+// If c is of two balls, its normal becomes the line of their centres when the
+// substep ends, as they go now.  Returns whether it is.
+bool restitution_face(contact *c, const solver_frame *f,
+                      const motion *velocity, const motion *moved);
 //<
 
 //> restitution-end-of-header

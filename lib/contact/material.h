@@ -23,5 +23,14 @@ static inline material material_meet(material a, material b)
                        real_max(a.restitution, b.restitution) };
 }
 
+// m/s: what meets more slowly does not bounce, or nothing would come to rest:
+// a bounce that is over in less than two substeps of h (s), under gravity
+// (m/s^2), is not told from what lies.
+static inline real material_slowest(real gravity, real h)
+{
+    const real falls = 2;       // tuned, substeps
+    return falls * gravity * h;
+}
+
 #endif
 //<

@@ -38,15 +38,6 @@ int restitution_solve(const contact *const *table, int n, const solver_frame *f,
     }
     return impacts;
 }
-
-// What falls from a ninth of a radius, or for two substeps, is not heard to bounce.
-static const real NINTH = 3;                // tuned, 1: a ninth's root
-static const real FALLS = 2;                // tuned, substeps
-
-real restitution_slowest(real radius, real gravity, real h)
-{
-    return real_max(sqrt(2 * gravity * radius) / NINTH, FALLS * gravity * h);
-}
 //<
 
 //> restitution-strike
@@ -91,7 +82,6 @@ static void find_touching(impact *x, const impact_solver *s);
 static void push_apart(impact *x, real restitution);
 static void rub(impact *x, real friction);
 static real closing_speed(const impact *x);
-static real slowest_of(const impact_solver *s, const contact *c);
 
 // The velocity of a substep is that of a fall at the middle of it: at another
 // time t (a share of the substep) gravity has added more.  What does not move
@@ -129,7 +119,7 @@ static real strike(const impact_solver *s, const contact *c)
 {
     const solver_frame *f = s->f;
     material m = solver_material(f, c->a, c->b);
-    real slowest = real_max(slowest_of(s, c), s->least);
+    real slowest = real_max(material_slowest(s->pull, f->h), s->least);
     impact x;
     if (!solver_strikes(f, c)) return 0;
     begin_impact(&x, s, c);
@@ -149,15 +139,7 @@ static real strike(const impact_solver *s, const contact *c)
 }
 //<
 
-//> restitution-slowest
-//>   The slowest part of a step that all impacts share.
-static real slowest_of(const impact_solver *s, const contact *c)
-{
-    real radius = s->f->body[c->a].radius;
-    if (c->b >= 0) radius = real_min(s->f->body[c->b].radius, radius);
-    return restitution_slowest(radius, s->pull, s->f->h);
-}
-
+//> restitution-meets
 // How fast A and B close at their points, at most: of most contacts the bodies
 // alone show that they do not strike, of most others the points.
 static bool meets_fast(const impact_solver *s, impact *x, real slowest)
@@ -287,15 +269,38 @@ static void stand_at(const impact *x, const impact_solver *s, real t,
     }
 }
 
-// Two balls meet along the line of their centres.
-static void face_each_other(contact *c, const rigid_frame at[BODIES])
+static bool are_balls(const contact *c)
 {
     const contact_point *p = &c->point[0];
     vec3 origin = { 0, 0, 0 };
-    if (c->b < 0 || c->count != 1 || !(c->round_a > 0 && c->round_b > 0)
-        || vec3_distance(p->local_a, origin) > 0
-        || vec3_distance(p->local_b, origin) > 0) return;
-    c->normal = vec3_unit(vec3_sub(at[A].center, at[B].center));
+    return c->b >= 0 && c->count == 1 && c->round_a > 0 && c->round_b > 0
+        && !(vec3_distance(p->local_a, origin) > 0)
+        && !(vec3_distance(p->local_b, origin) > 0);
+}
+
+// Two balls meet along the line of their centres.
+static void face_each_other(contact *c, const rigid_frame at[BODIES])
+{
+    if (are_balls(c))
+        c->normal = vec3_unit(vec3_sub(at[A].center, at[B].center));
+}
+
+static vec3 comes_to(const solver_frame *f, int b, const motion *u,
+                   const motion *moved)
+{
+    vec3 way = { moved->of[0] + f->h * u->of[0], moved->of[1] + f->h * u->of[1],
+                 moved->of[2] + f->h * u->of[2] };
+    return vec3_add(f->body[b].frame.center, way);
+}
+
+bool restitution_face(contact *c, const solver_frame *f,
+                      const motion *velocity, const motion *moved)
+{
+    if (!are_balls(c)) return false;
+    vec3 a = comes_to(f, c->a, &velocity[c->a], &moved[c->a]);
+    vec3 b = comes_to(f, c->b, &velocity[c->b], &moved[c->b]);
+    c->normal = vec3_unit(vec3_sub(a, b));
+    return true;
 }
 
 // A gap closes as each side goes; both are struck at one place.

@@ -12,7 +12,7 @@
 
 //> restitution-declare
 // The impacts of one substep.  Two bodies whose gap closes within it, and that
-// meet faster than restitution_slowest, part at f->restitution times the speed
+// meet faster than material_slowest, part at f->restitution times the speed
 // at which they met, at the time at which they met; friction acts in the
 // impact, too.  Forward and backward over the n contacts, at most IMPACT_ROUNDS
 // times: an impact that is passed on, as in Newton's cradle, is one more impact.
@@ -36,11 +36,10 @@ enum { IMPACT_ROUNDS = 8 };     // tuned, rounds
 int restitution_solve(const contact *const *table, int n, const solver_frame *f,
                       motion *velocity, motion *moved);
 
-// m/s: what meets more slowly does not bounce.  A third of the speed that a
-// fall through the smaller radius (m) gives: then a bounce would not be seen,
-// and what lies still would never come to rest.  And at least what gravity
-// gives in two substeps of h (s).
-real restitution_slowest(real radius, real gravity, real h);
+// If c is of two balls, its normal becomes the line of their centres when the
+// substep ends, as they go now.  Returns whether it is.
+bool restitution_face(contact *c, const solver_frame *f,
+                      const motion *velocity, const motion *moved);
 //<
 
 //> restitution-end-of-header

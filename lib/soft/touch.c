@@ -1,7 +1,7 @@
 //> touch-push
 //>   A push on a body that moves.
 #include "touch.h"
-#include "restitution.h"
+#include "material.h"
 
 #include <stddef.h>
 
@@ -246,11 +246,11 @@ static void slide(particle *p, line_hold *hold, real most, real apart)
 // Every particle bounces for itself, if it strikes fast: it came by `came` (m)
 // in this substep, and goes back by a share of that in the next.
 static bool bounce(const soft_frame *f, particle *p, vec3 normal, real came,
-                   real apart, real restitution)
+                   real restitution)
 {
     real g = vec3_length(f->gravity);
     if (!(restitution > 0)) return false;
-    if (!(came > f->h * restitution_slowest(apart, g, f->h))) return false;
+    if (!(came > f->h * material_slowest(g, f->h))) return false;
     real goes = vec3_dot(vec3_sub(p->position, p->previous), normal);
     p->previous = vec3_add_scaled(p->previous, goes - restitution * came,
                                   normal);
@@ -282,7 +282,7 @@ static bool touch_fixed(const soft_frame *f, int i, surface_point at,
     hold->normal = at.normal;
     slide(p, hold, m.friction * pressed, apart);
     if (is_held) hold->state = LINE_STICKS;
-    if (bounce(f, p, at.normal, came, apart, m.restitution))
+    if (bounce(f, p, at.normal, came, m.restitution))
         hold->state = LINE_FREE;
     return true;
 }

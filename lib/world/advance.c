@@ -25,6 +25,7 @@ static void lie(world *w, int b)
     rigid_tables *t = &w->rigid;
     if (b < 0 || t->going[b] != GOES_EXACTLY || !lies(w, b)) return;
     t->going[b] = LIES;
+    t->fresh[b] = false;
     t->middle[b] = t->cache.placed[b];
     t->lying[b] = basis_find(w->body[b].rigid, &t->middle[b]);
 }
@@ -48,6 +49,7 @@ void advance_begin(world *w)
     for (int k = 0; k < t->awakes; k++) {
         int b = t->awake[k];
         t->going[b] = GOES_EXACTLY;
+        t->fresh[b] = t->moves[b];
         t->touches[b] = (char)(t->moves[b] && linkage_has(&w->joints, b));
         t->began[b] = t->now[b].frame;
     }

@@ -566,14 +566,38 @@ static void renew(world *w, solver_frame f)
     solver_renew(&w->rigid.solver, &f);
 }
 
+// Of balls that move, where impacts may be: on an older normal what parts would
+// be held, and what comes would be braked before it strikes.
+static void face_balls(world *w, const solver_frame *f)
+{
+    rigid_tables *t = &w->rigid;
+    contact_solver *s = &t->solver;
+    bool some = false;
+    for (int k = s->first; k < s->end; k++) {
+        active_contact *x = &s->active[k];
+        contact *c = t->cache.active[k];
+        bool moves = t->fresh[x->a]
+                  || (x->sides == TWO_SIDED && t->fresh[x->b]);
+        x->is_new = x->count == 1 && moves
+                 && restitution_face(c, f, t->velocity, t->moved);
+        some |= x->is_new;
+    }
+    if (!some) return;
+    solver_give_new(s, t->cache.active);
+    if (!solver_take_new(s, f, t->cache.active, t->cache.reach))
+        w->report.dropped += s->end - s->first;
+}
+
 static void bounce(world *w, const solver_frame *f)
 {
     rigid_tables *t = &w->rigid;
     const contact_solver *s = &t->solver;
     if (!s->strikes) return;
+    face_balls(w, f);
     if (!restitution_solve(contact_table(w) + s->first, s->end - s->first, f,
                            t->velocity, t->moved)) return;
     advance_struck(w);
+    face_balls(w, f);
     renew(w, *f);
     solver_see_gaps(&t->solver, f, t->moved);
 }

@@ -293,7 +293,7 @@ START_TEST(events_are_the_difference_of_the_contacts)
         tumble_add_plane(w, tumble_v(0, 0, k), -1.5, -1);
     }
     touchings = 0;
-    for (int step = 0; step < 400; step++) {
+    for (int step = 0; step < 800; step++) {
         int gone = random_below(&seed, 12);
         bool is_new = step % 10 == 5;
         if (is_new) {

@@ -580,10 +580,9 @@ static void part_clash(const frame_look *l, const facet_clash *x)
 }
 //<
 
-//> certificate-shorten
-//>   What still clashes makes a patch with all that it clashes with. The ways of
-//>   a patch are halved, and then taken away, but for the one that it goes in
-//>   the mean: so its momentum is left to it.
+//> certificate-as-one
+//>   What still clashes makes a patch with all that it clashes with, which goes
+//>   as one, by its mean way: so its momentum is left to it.
 static int patch_of(certificate *c, int v)
 {
     while (c->of[v].patch != v) {
@@ -593,58 +592,41 @@ static int patch_of(certificate *c, int v)
     return v;
 }
 
-static void join(certificate *c, int v, int w)
+static void join(certificate *c, const facet_clash *x)
 {
-    certified_vertex *of = c->of;
-    v = patch_of(c, v);
-    w = patch_of(c, w);
-    of[w].patch = v;
-    of[v].share = real_min(of[v].share, of[w].share);
+    int first = patch_of(c, x->set[0].vertex[0]);
+    for (int i = 0; i < 2; i++)
+        for (int k = 0; k < x->set[i].count; k++)
+            c->of[patch_of(c, x->set[i].vertex[k])].patch = first;
+    c->of[first].is_whole = true;
 }
 
-static void join_clashes(certificate *c)
+static void go_as_one(const frame_look *l)
 {
-    int n = int_min(c->clashes, c->particles);
-    for (int k = 0; k < n; k++)
-        for (int i = 0; i < 2; i++)
-            for (int m = 0; m < c->clash[k].set[i].count; m++)
-                join(c, c->clash[k].set[0].vertex[0],
-                     c->clash[k].set[i].vertex[m]);
+    certificate *c = l->c;
+    for (int k = 0; k < int_min(c->clashes, c->particles); k++)
+        join(c, &c->clash[k]);
     for (int v = 0; v < c->particles; v++) {
         c->of[v].way = (vec3){ 0, 0, 0 };
         c->of[v].mass = 0;
-        c->of[v].is_done = false;
     }
-    for (int k = 0; k < n; k++) {
-        certified_vertex *p = &c->of[patch_of(c, c->clash[k].set[0].vertex[0])];
-        if (!p->is_done) p->share = p->share > 0.5 ? 0.5 : 0;
-        p->is_done = true;
-    }
-}
-
-static void shorten(const frame_look *l)
-{
-    certificate *c = l->c;
-    join_clashes(c);
     for (int v = 0; v < c->particles; v++) {
         certified_vertex *p = &c->of[patch_of(c, v)];
-        if (!(p->share < 1)) continue;
+        if (!p->is_whole) continue;
         real m = weight_of(l, v);
-        vec3 way = vec3_sub(c->of[v].goal, c->at[0][v]);
+        vec3 way = vec3_sub(c->at[1][v], c->at[0][v]);
         p->way = vec3_add_scaled(p->way, m, way);
         p->mass += m;
     }
     for (int v = 0; v < c->particles; v++) {
         const certified_vertex *p = &c->of[patch_of(c, v)];
-        if (!(p->share < 1) || is_fixed(l, v)) continue;
-        vec3 stay = vec3_add_scaled(c->at[0][v], 1 / p->mass, p->way);
-        c->at[1][v] = vec3_add_scaled(stay, p->share,
-                                      vec3_sub(c->of[v].goal, stay));
+        if (p->is_whole && !is_fixed(l, v))
+            c->at[1][v] = vec3_add_scaled(c->at[0][v], 1 / p->mass, p->way);
     }
 }
 
 // Before all of it stands still for a frame.
-enum { PARTINGS = 4, ATTEMPTS = 4, SHORTENINGS = 60 };
+enum { PARTINGS = 4, ATTEMPTS = 4, ROUNDS = 60 };
 
 static void certify(const frame_look *l)
 {
@@ -658,12 +640,11 @@ static void certify(const frame_look *l)
         look_at_all(l);
     }
     for (int v = 0; v < c->particles && c->clashes > 0; v++) {
-        c->of[v].goal = c->at[1][v];
-        c->of[v].share = 1;
         c->of[v].patch = v;
+        c->of[v].is_whole = false;
     }
-    for (int k = 0; k < SHORTENINGS && c->clashes > 0; k++) {
-        shorten(l);
+    for (int k = 0; k < ROUNDS && c->clashes > 0; k++) {
+        go_as_one(l);
         look_at_all(l);
     }
     for (int v = 0; v < c->particles && c->clashes > 0; v++)
@@ -709,6 +690,11 @@ void certificate_begin(certificate *c, const soft_frame *f)
 void certificate_end(certificate *c, const soft_frame *f)
 {
     frame_look l = { .c = c, .f = f };
+    bool is_still = true;
+    for (int b = 0; b < f->bodies; b++)
+        is_still = is_still && !(is_certified(f, b) && soft_moves(f, b));
+    c->prevented = c->left_out = 0;
+    if (is_still) return;
     copy_positions(c, f, 1);
     for (int v = 0; v < c->particles; v++) c->of[v].crossed = false;
     certify(&l);

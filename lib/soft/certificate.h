@@ -68,11 +68,10 @@ typedef struct {
     int  right, bottom; // up to here the patch reaches that has its cell, see
                         // mark_windows; 0: there is none
     bool crossed;       // it is of a pair that crossed at first
-    vec3 goal;          // where it would have ended
-    int  patch;         // a vertex of what is shortened with it; its own number:
-    real share, mass;   // that goes so much of its way, weighs so much, and has
-    vec3 way;           // this mean way, times its mass;
-    bool is_done;       // and was shortened in this round
+    int  patch;         // a vertex of what goes as one with it, or itself; that
+    bool is_whole;      // knows if there are others,
+    real mass;          // kg, what all weigh,
+    vec3 way;           // kg m, and the sum of their ways
 } certified_vertex;
 
 // All but what was prevented is room for one frame.

@@ -436,7 +436,8 @@ static bool are_parted(const frame_look *l, part p, part q)
 {
     cell_range a = p.cells, b = q.cells;
     cell_range both = { a.body, int_min(a.left, b.left), int_min(a.top, b.top),
-                        int_max(a.right, b.right), int_max(a.bottom, b.bottom) };
+                        int_max(a.right, b.right),
+                        int_max(a.bottom, b.bottom) };
     vec3 n;
     if (a.body == b.body && is_in_window(l, both)) return true;
     if (p.box >= 0 && q.box >= 0 && are_boxes_apart(l, p, q, &n)) {

@@ -103,8 +103,8 @@ void certificate_begin(certificate *c, const soft_frame *f);
 
 // It ends: if no triangle of cloth crossed another of that cloth, or of one that
 // it meets, none does now.  Where the end cannot be proved to be so, particles are
-// put nearer to where they were, and lose that part of their speed.  Pairs that
-// crossed when the frame began are left out, and those beside them.
+// parted, or go as one; what is free keeps its momentum.  Pairs that crossed when
+// the frame began are left out, and those beside them.
 void certificate_end(certificate *c, const soft_frame *f);
 
 #endif

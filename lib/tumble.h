@@ -109,9 +109,9 @@ typedef struct {
                             // pulled along, is braked by 1/100 of its weight.)
     double time_to_sleep;   // s, 0.5
     bool   certified;       // cloth never crosses cloth, whatever is demanded:
-                            // where it must, it is stopped, stretches for it and
-                            // loses momentum, and the report says so; false.  A
-                            // frame of cloth costs up to a third more
+                            // where it must, it is stopped and stretches for it,
+                            // and the report says so; false.  A frame of cloth
+                            // costs up to a quarter more
 
     // Runs work(data, 0) to work(data, items - 1) in any order, or at once on
     // several threads, and returns when all are done; NULL: one by one.  The

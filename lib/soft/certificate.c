@@ -1,6 +1,6 @@
-//> certificate-tiles
-//>   A cloth is cut into tiles of two by two cells, these four and four, and so
-//>   on: a pyramid. Each tile has a box at both ends.
+//> certificate-parts
+//>   A cloth is halved, its halves are, and so on down to its cells. Each part
+//>   has a box at both ends, but for the smallest.
 #include "certificate.h"
 #include "gjk.h"
 #include "table.h"
@@ -8,12 +8,14 @@
 #include <stddef.h>
 #include <stdlib.h>
 
-// Level 0 is a cell; level n, 2^n by 2^n of them.
-enum { TILE = 1 };      // the lowest with a box
+enum { FEW = 4 };       // cells of a part that has no boxes within
 
+// The boxes of a part's first half follow its own, and then those of the other:
+// of n cells there are at most 2 n - 1.
 typedef struct {
-    int body, level, column, row;
-} tile;
+    cell_range cells;
+    int box;            // its number; -1: none
+} part;
 
 // A look at a frame.
 typedef struct {
@@ -22,57 +24,29 @@ typedef struct {
     bool tells;
 } frame_look;
 
-static int columns_of(const frame_look *l, int b)
+static int cells_in(cell_range r)
 {
-    return l->f->body[b].shape->columns - 1;
+    return (r.right - r.left) * (r.bottom - r.top);
 }
 
-static int rows_of(const frame_look *l, int b)
+static part whole_of(const frame_look *l, int b)
 {
-    return l->f->body[b].shape->rows - 1;
+    const body *x = &l->f->body[b];
+    return (part){ { b, 0, 0, x->shape->columns - 1, x->shape->rows - 1 },
+                   2 * x->first };
 }
 
-static cell_range cells_of(const frame_look *l, tile t)
+static void halve(part p, part half[2])
 {
-    int n = 1 << t.level;
-    return (cell_range){
-        t.body, t.column * n, t.row * n,
-        int_min((t.column + 1) * n, columns_of(l, t.body)),
-        int_min((t.row + 1) * n, rows_of(l, t.body)) };
-}
-
-static int tiles_in(int cells, int level)
-{
-    return ((cells - 1) >> level) + 1;
-}
-
-static int index_of(const frame_look *l, tile t)
-{
-    int columns = columns_of(l, t.body), rows = rows_of(l, t.body);
-    int at = l->f->body[t.body].first;
-    for (int n = TILE; n < t.level; n++)
-        at += tiles_in(columns, n) * tiles_in(rows, n);
-    return at + t.row * tiles_in(columns, t.level) + t.column;
-}
-
-static tile top_of(const frame_look *l, int b)
-{
-    tile t = { b, TILE, 0, 0 };
-    int most = int_max(columns_of(l, b), rows_of(l, b));
-    while (1 << t.level < most) t.level++;
-    return t;
-}
-
-// Its four, of which some may be none.  Returns how many there are.
-static int split(const frame_look *l, tile t, tile part[4])
-{
-    int count = 0, level = t.level - 1;
-    for (int k = 0; k < 4; k++) {
-        tile p = { t.body, level, 2 * t.column + k % 2, 2 * t.row + k / 2 };
-        if (p.column << level < columns_of(l, t.body)
-            && p.row << level < rows_of(l, t.body)) part[count++] = p;
-    }
-    return count;
+    cell_range r = p.cells;
+    half[0] = half[1] = p;
+    if (r.right - r.left >= r.bottom - r.top)
+        half[0].cells.right = half[1].cells.left = (r.left + r.right) / 2;
+    else
+        half[0].cells.bottom = half[1].cells.top = (r.top + r.bottom) / 2;
+    bool are_boxed = cells_in(r) > FEW;
+    half[0].box = are_boxed ? p.box + 1 : -1;
+    half[1].box = are_boxed ? p.box + 2 * cells_in(half[0].cells) : -1;
 }
 
 static int vertex_at(const frame_look *l, int b, int column, int row)
@@ -83,7 +57,7 @@ static int vertex_at(const frame_look *l, int b, int column, int row)
 //<
 
 //> certificate-boxes
-//>   Most tiles are nowhere near each other: their boxes say so.
+//>   Most parts are nowhere near each other: their boxes say so.
 static vec3 low_corner(vec3 a, vec3 b)
 {
     return vec3_make(real_min(a.x, b.x), real_min(a.y, b.y),
@@ -96,47 +70,56 @@ static vec3 high_corner(vec3 a, vec3 b)
                      real_max(a.z, b.z));
 }
 
-static void box_cells(const frame_look *l, cell_range r, swept_box *box)
+static void box_cells(const frame_look *l, cell_range r, int e, swept_box *box)
 {
-    for (int e = 0; e < ENDS; e++) {
-        const vec3 *at = l->c->at[e];
-        vec3 low = at[vertex_at(l, r.body, r.left, r.top)], high = low;
-        for (int j = r.top; j <= r.bottom; j++) {
-            const vec3 *x = &at[vertex_at(l, r.body, 0, j)];
-            for (int i = r.left; i <= r.right; i++) {
-                low = low_corner(low, x[i]);
-                high = high_corner(high, x[i]);
-            }
+    const vec3 *at = l->c->at[e];
+    vec3 low = at[vertex_at(l, r.body, r.left, r.top)], high = low;
+    for (int j = r.top; j <= r.bottom; j++) {
+        const vec3 *x = &at[vertex_at(l, r.body, 0, j)];
+        for (int i = r.left; i <= r.right; i++) {
+            low = low_corner(low, x[i]);
+            high = high_corner(high, x[i]);
         }
-        box->low[e] = low;
-        box->high[e] = high;
+    }
+    box->low[e] = low;
+    box->high[e] = high;
+}
+
+static void box_part(const frame_look *l, part p)
+{
+    part half[2];
+    swept_box *box = &l->c->box[p.box];
+    halve(p, half);
+    for (int k = 0; k < 2 && half[0].box >= 0; k++) box_part(l, half[k]);
+    for (int e = 0; e < ENDS; e++) {
+        if (half[0].box < 0) {
+            box_cells(l, p.cells, e, box);
+            continue;
+        }
+        const swept_box *x = &l->c->box[half[0].box];
+        const swept_box *y = &l->c->box[half[1].box];
+        box->low[e] = low_corner(x->low[e], y->low[e]);
+        box->high[e] = high_corner(x->high[e], y->high[e]);
     }
 }
 
-static void box_parts(const frame_look *l, tile t, swept_box *box)
+// Along which axis?
+static bool are_boxes_apart(const frame_look *l, part a, part b, vec3 *normal)
 {
-    tile part[4];
-    int parts = split(l, t, part);
-    *box = l->c->box[index_of(l, part[0])];
-    for (int k = 1; k < parts; k++)
-        for (int e = 0; e < ENDS; e++) {
-            const swept_box *x = &l->c->box[index_of(l, part[k])];
-            box->low[e] = low_corner(box->low[e], x->low[e]);
-            box->high[e] = high_corner(box->high[e], x->high[e]);
-        }
-}
-
-static void box_all(const frame_look *l, int b)
-{
-    int columns = columns_of(l, b), rows = rows_of(l, b);
-    for (tile t = { b, TILE, 0, 0 }; t.level <= top_of(l, b).level; t.level++)
-        for (t.row = 0; t.row < tiles_in(rows, t.level); t.row++)
-            for (t.column = 0; t.column < tiles_in(columns, t.level);
-                 t.column++) {
-                swept_box *box = &l->c->box[index_of(l, t)];
-                if (t.level == TILE) box_cells(l, cells_of(l, t), box);
-                else box_parts(l, t, box);
-            }
+    const swept_box *x = &l->c->box[a.box], *y = &l->c->box[b.box];
+    real most = l->c->rounding;
+    vec3 over = low_corner(vec3_sub(x->low[0], y->high[0]),
+                           vec3_sub(x->low[1], y->high[1]));
+    vec3 under = low_corner(vec3_sub(y->low[0], x->high[0]),
+                            vec3_sub(y->low[1], x->high[1]));
+    *normal = (vec3){ 0, 0, 0 };
+    if (over.x > most || under.x > most) normal->x = over.x > most ? 1 : -1;
+    else if (over.y > most || under.y > most)
+        normal->y = over.y > most ? 1 : -1;
+    else if (over.z > most || under.z > most)
+        normal->z = over.z > most ? 1 : -1;
+    else return false;
+    return true;
 }
 //<
 
@@ -239,144 +222,75 @@ static bool is_range_spread(const frame_look *l, cell_range r)
 //<
 
 //> certificate-windows
-//>   Windows overlap by a tile, so that tiles which touch are together in one:
-//>   one of level n has 2^n + 1 of them a side, and begins at a multiple of 2^n.
-enum { NOT_SPREAD = -1 };
-
-static void mark_windows(const frame_look *l, int b, int level, int column,
-                         int row)
+//>   A window is a part with two columns and rows more, so that parts that touch
+//>   are together in one. What is no patch is tried in halves.
+static void mark_windows(const frame_look *l, part p)
 {
-    int columns = columns_of(l, b), rows = rows_of(l, b), n = 1 << level;
-    int across = tiles_in(columns, TILE), down = tiles_in(rows, TILE);
-    if (column >= across || row >= down) return;
-    cell_range r = { b, column << TILE, row << TILE,
-                     int_min((column + n + 1) << TILE, columns),
-                     int_min((row + n + 1) << TILE, rows) };
-    bool is_flat = is_range_spread(l, r);
-    if (!is_flat && level > 0) {
-        for (int k = 0; k < 4; k++)
-            mark_windows(l, b, level - 1, column + k % 2 * n / 2,
-                         row + k / 2 * n / 2);
+    enum { MORE = 2 };
+    part half[2], all = whole_of(l, p.cells.body);
+    cell_range r = p.cells, window = r;
+    window.right = int_min(r.right + MORE, all.cells.right);
+    window.bottom = int_min(r.bottom + MORE, all.cells.bottom);
+    bool is_patch = is_range_spread(l, window);
+    if (!is_patch && cells_in(r) > FEW) {
+        halve(p, half);
+        for (int k = 0; k < 2; k++) mark_windows(l, half[k]);
         return;
     }
-    for (int j = row; j < int_min(row + n, down); j++)
-        for (int i = column; i < int_min(column + n, across); i++)
-            l->c->spread[index_of(l, (tile){ b, TILE, i, j })] =
-                (signed char)(is_flat ? level : NOT_SPREAD);
-}
-
-static cell_range both_of(cell_range a, cell_range b)
-{
-    return (cell_range){ a.body, int_min(a.left, b.left),
-                         int_min(a.top, b.top), int_max(a.right, b.right),
-                         int_max(a.bottom, b.bottom) };
+    for (int j = r.top; j < r.bottom; j++)
+        for (int i = r.left; i < r.right; i++) {
+            certified_vertex *v = &l->c->of[vertex_at(l, r.body, i, j)];
+            v->right = is_patch ? window.right : 0;
+            v->bottom = is_patch ? window.bottom : 0;
+        }
 }
 
 // Is there a window that has all of it?
 static bool is_in_window(const frame_look *l, cell_range r)
 {
-    tile t = { r.body, TILE, r.left >> TILE, r.top >> TILE };
-    int n = l->c->spread[index_of(l, t)];
-    if (n == NOT_SPREAD) return false;
-    int right = (t.column >> n << n) + (1 << n) + 1;
-    int bottom = (t.row >> n << n) + (1 << n) + 1;
-    return r.right <= right << TILE && r.bottom <= bottom << TILE;
+    const certified_vertex *v
+        = &l->c->of[vertex_at(l, r.body, r.left, r.top)];
+    return r.right <= v->right && r.bottom <= v->bottom;
 }
 //<
 
 //> certificate-planes
-//>   Tiles that are not together in a patch are parted by a plane: along an
-//>   axis, if their boxes say so; or the search for the point of their
-//>   differences that is nearest to the origin (Gilbert 1966) finds one.
-static bool are_boxes_apart(const frame_look *l, tile a, tile b, vec3 *normal)
-{
-    const swept_box *x = &l->c->box[index_of(l, a)];
-    const swept_box *y = &l->c->box[index_of(l, b)];
-    vec3 over = vec3_sub(x->low[0], y->high[0]);
-    vec3 under = vec3_sub(y->low[0], x->high[0]);
-    over = low_corner(over, vec3_sub(x->low[1], y->high[1]));
-    under = low_corner(under, vec3_sub(y->low[1], x->high[1]));
-    real most = l->c->rounding;
-    normal->x = (real)(over.x > most) - (real)(under.x > most);
-    normal->y = (real)(over.y > most) - (real)(under.y > most);
-    normal->z = (real)(over.z > most) - (real)(under.z > most);
-    if (normal->x != 0) normal->y = 0;
-    if (normal->x != 0 || normal->y != 0) normal->z = 0;
-    return normal->x != 0 || normal->y != 0 || normal->z != 0;
-}
-
-// The vertex of a range that is furthest against n.
-static vec3 lowest_in(const frame_look *l, cell_range r, int end, vec3 n)
+//>   Small parts that are not together in a patch, and at last two triangles,
+//>   are parted by a plane. A short search for the point of their differences
+//>   that is nearest to the origin (Gilbert 1966) mostly finds one. If it finds
+//>   none, parts are halved; for triangles GJK tells exactly.
+// The vertex that is furthest against n.
+static vec3 lowest_of(const vec3 *at, const certified_set *s, vec3 n)
 {
     vec3 best = { 0, 0, 0 };
     real least = HUGE_VAL;
-    for (int j = r.top; j <= r.bottom; j++) {
-        const vec3 *x = &l->c->at[end][vertex_at(l, r.body, 0, j)];
-        for (int i = r.left; i <= r.right; i++) {
-            real height = vec3_dot(n, x[i]);
-            if (!(height < least)) continue;
-            least = height;
-            best = x[i];
-        }
+    for (int i = 0; i < s->count; i++) {
+        real height = vec3_dot(n, at[s->vertex[i]]);
+        if (!(height < least)) continue;
+        least = height;
+        best = at[s->vertex[i]];
     }
     return best;
 }
 
-static vec3 middle_of_cells(const frame_look *l, cell_range r)
+// How far is the first set over the second, along n, and where least?
+static real gap_of(const frame_look *l, const certified_set set[2], int ends,
+                   vec3 n, vec3 *where)
 {
-    vec3 sum = { 0, 0, 0 };
-    for (int e = 0; e < ENDS; e++) {
+    real gap = HUGE_VAL;
+    for (int e = 0; e < ends; e++) {
         const vec3 *at = l->c->at[e];
-        sum = vec3_add(sum, at[vertex_at(l, r.body, r.left, r.top)]);
-        sum = vec3_add(sum, at[vertex_at(l, r.body, r.right, r.bottom)]);
+        vec3 d = vec3_sub(lowest_of(at, &set[0], n),
+                          lowest_of(at, &set[1], vec3_scale(-1, n)));
+        real height = vec3_dot(n, d);
+        if (!(height < gap)) continue;
+        gap = height;
+        *where = d;
     }
-    return vec3_scale(1.0 / (2 * ENDS), sum);
+    return gap < HUGE_VAL ? gap : 0;
 }
 
-// After so many steps a tile is better split.
-enum { STEPS = 8 };
-
-static bool is_plane_between(const frame_look *l, cell_range a, cell_range b)
-{
-    vec3 n = vec3_sub(middle_of_cells(l, a), middle_of_cells(l, b));
-    for (int k = 0; k < STEPS; k++) {
-        vec3 least = n;
-        real gap = HUGE_VAL, length = vec3_length(n);
-        for (int e = 0; e < ENDS; e++) {
-            vec3 d = vec3_sub(lowest_in(l, a, e, n),
-                              lowest_in(l, b, e, vec3_scale(-1, n)));
-            real height = vec3_dot(n, d);
-            if (!(height < gap)) continue;
-            gap = height;
-            least = d;
-        }
-        if (gap > l->c->rounding * length && gap < HUGE_VAL) {
-            tell(l, (witness){ WITNESS_PLANE,
-                               { { a, 0, { 0 } }, { b, 0, { 0 } } }, { n } });
-            return true;
-        }
-        vec3 back = vec3_sub(n, least);
-        real share = vec3_dot(n, back) / vec3_length_squared(back);
-        if (!(share > 0)) return false;
-        n = vec3_add_scaled(n, -real_min(share, 1), back);
-    }
-    return false;
-}
-//<
-
-//> certificate-facets
-//>   At last two triangles are asked, exactly: the origin and the hull of all
-//>   their differences, at both ends.
-static real gap_of(const vec3 *at, const certified_set set[2], vec3 n)
-{
-    real low = HUGE_VAL, high = -HUGE_VAL;
-    for (int i = 0; i < set[0].count; i++)
-        low = real_min(vec3_dot(n, at[set[0].vertex[i]]), low);
-    for (int k = 0; k < set[1].count; k++)
-        high = real_max(vec3_dot(n, at[set[1].vertex[k]]), high);
-    return low - high;
-}
-
+// Of triangles, and exactly: unit.
 static vec3 nearest_difference(const frame_look *l, const certified_set set[2],
                                int ends)
 {
@@ -392,73 +306,69 @@ static vec3 nearest_difference(const frame_look *l, const certified_set set[2],
     return vec3_unit(g.axis);
 }
 
+static vec3 middle_of_set(const frame_look *l, const certified_set *s)
+{
+    int first = s->vertex[0], last = s->vertex[s->count - 1];
+    const vec3 *was = l->c->at[0], *is = l->c->at[1];
+    return vec3_add(vec3_add(was[first], was[last]),
+                    vec3_add(is[first], is[last]));
+}
+
+static bool is_plane(const frame_look *l, const certified_set set[2], vec3 n,
+                     vec3 *where)
+{
+    real gap = gap_of(l, set, ENDS, n, where);
+    if (!(gap > l->c->rounding * vec3_length(n))) return false;
+    tell(l, (witness){ WITNESS_PLANE, { set[0], set[1] }, { n } });
+    return true;
+}
+
+static bool has_plane(const frame_look *l, const certified_set set[2])
+{
+    enum { STEPS = 8 };
+    vec3 least = { 0, 0, 0 };
+    vec3 n = vec3_sub(middle_of_set(l, &set[0]), middle_of_set(l, &set[1]));
+    for (int k = 0; k < STEPS; k++) {
+        if (is_plane(l, set, n, &least)) return true;
+        vec3 back = vec3_sub(n, least);
+        real share = vec3_dot(n, back) / vec3_length_squared(back);
+        if (!(share > 0)) break;
+        n = vec3_add_scaled(n, -real_min(share, 1), back);
+    }
+    if (set[0].count > FACET || set[1].count > FACET) return false;
+    return is_plane(l, set, nearest_difference(l, set, ENDS), &least);
+}
+//<
+
+//> certificate-triangles
+//>   What has no plane will be parted; what had none when the frame began is
+//>   left out.
 static void leave_out(const frame_look *l, const certified_set set[2])
 {
     l->c->left_out++;
-    tell(l, (witness){ WITNESS_NONE, { set[0], set[1] }, { { 0, 0, 0 } } });
     for (int i = 0; i < 2 * FACET; i++) {
         const certified_set *s = &set[i / FACET];
-        if (i % FACET < s->count) l->c->crossed[s->vertex[i % FACET]] = true;
+        if (i % FACET < s->count) l->c->of[s->vertex[i % FACET]].crossed = true;
     }
 }
 
 static bool is_beside_crossed(const frame_look *l, const certified_set *s)
 {
     bool some = false;
-    for (int i = 0; i < s->count; i++) some |= l->c->crossed[s->vertex[i]];
+    for (int i = 0; i < s->count; i++) some |= l->c->of[s->vertex[i]].crossed;
     return some;
-}
-
-static bool has_plane(const frame_look *l, certified_set a, certified_set b)
-{
-    certified_set set[2] = { a, b };
-    vec3 n = nearest_difference(l, set, ENDS);
-    real gap = real_min(gap_of(l->c->at[0], set, n),
-                        gap_of(l->c->at[1], set, n));
-    if (!(gap > l->c->rounding)) return false;
-    tell(l, (witness){ WITNESS_PLANE, { a, b }, { n } });
-    return true;
-}
-
-// Vertex k of it; or the edge from there, of which there is one if it has two.
-static certified_set feature_of(const certified_set *s, int k, int count)
-{
-    certified_set part = { s->cells, count, { s->vertex[k] } };
-    if (count > 1) part.vertex[1] = s->vertex[(k + 1) % s->count];
-    return part;
-}
-
-// Two that do not cross only begin to where a corner of one meets the other, or
-// two edges meet.
-static bool have_features_planes(const frame_look *l,
-                                 const certified_set set[2])
-{
-    const certified_set *a = &set[0], *b = &set[1];
-    if (a->count == 1 || b->count == 1) return false;
-    for (int i = 0; i < a->count; i++)
-        if (!has_plane(l, feature_of(a, i, 1), *b)) return false;
-    for (int k = 0; k < b->count; k++)
-        if (!has_plane(l, *a, feature_of(b, k, 1))) return false;
-    for (int i = 0; i < (a->count > 2 ? a->count : 1); i++)
-        for (int k = 0; k < (b->count > 2 ? b->count : 1); k++)
-            if (!has_plane(l, feature_of(a, i, 2), feature_of(b, k, 2)))
-                return false;
-    return true;
 }
 
 static void part_facets(const frame_look *l, certified_set a, certified_set b)
 {
     certificate *c = l->c;
     certified_set set[2] = { a, b };
-    if (has_plane(l, a, b)) return;
-    vec3 n = nearest_difference(l, set, 1);
-    real gap = gap_of(c->at[0], set, n);
-    if (!(gap > c->rounding)) {
-        leave_out(l, set);
-        return;
-    }
-    if (have_features_planes(l, set)) return;
-    if (is_beside_crossed(l, &a) && is_beside_crossed(l, &b)) {
+    if (has_plane(l, set)) return;
+    vec3 where, n = nearest_difference(l, set, 1);
+    real gap = gap_of(l, set, 1, n, &where);
+    bool is_crossed = !(gap > c->rounding);
+    if (is_crossed) leave_out(l, set);
+    if (is_crossed || (is_beside_crossed(l, &a) && is_beside_crossed(l, &b))) {
         tell(l, (witness){ WITNESS_NONE, { a, b }, { { 0, 0, 0 } } });
         return;
     }
@@ -470,7 +380,7 @@ static void part_facets(const frame_look *l, certified_set a, certified_set b)
 static certified_set triangle_of(const frame_look *l, cell_range r, int k)
 {
     const body *b = &l->f->body[r.body];
-    int cell = r.top * columns_of(l, r.body) + r.left;
+    int cell = r.top * (b->shape->columns - 1) + r.left;
     certified_set s = { .cells = r, .count = FACET };
     for (int i = 0; i < FACET; i++)
         s.vertex[i] = b->first + b->shape->face[FACET * (2 * cell + k) + i];
@@ -512,57 +422,64 @@ static void part_cells(const frame_look *l, cell_range a, cell_range b)
 //<
 
 //> certificate-look
-//>   All pairs of triangles are looked at, from the largest tiles down.
-static bool do_touch(cell_range a, cell_range b)
+//>   All pairs of triangles are looked at, from the largest parts down.
+static certified_set set_of(const frame_look *l, cell_range r)
 {
-    return a.body == b.body && a.left <= b.right && b.left <= a.right
-        && a.top <= b.bottom && b.top <= a.bottom;
+    certified_set s = { .cells = r };
+    for (int j = r.top; j <= r.bottom; j++)
+        for (int i = r.left; i <= r.right; i++)
+            s.vertex[s.count++] = vertex_at(l, r.body, i, j);
+    return s;
 }
 
-static bool are_parted(const frame_look *l, tile a, tile b)
+static bool are_parted(const frame_look *l, part p, part q)
 {
-    cell_range x = cells_of(l, a), y = cells_of(l, b);
+    cell_range a = p.cells, b = q.cells;
+    cell_range both = { a.body, int_min(a.left, b.left), int_min(a.top, b.top),
+                        int_max(a.right, b.right),
+                        int_max(a.bottom, b.bottom) };
     vec3 n;
-    if (a.body == b.body && is_in_window(l, both_of(x, y))) return true;
-    if (a.level >= TILE && b.level >= TILE && are_boxes_apart(l, a, b, &n)) {
-        tell(l, (witness){ WITNESS_PLANE, { { x, 0, { 0 } }, { y, 0, { 0 } } },
+    if (a.body == b.body && is_in_window(l, both)) return true;
+    if (p.box >= 0 && q.box >= 0 && are_boxes_apart(l, p, q, &n)) {
+        tell(l, (witness){ WITNESS_PLANE, { { .cells = a }, { .cells = b } },
                            { n } });
         return true;
     }
-    if (int_max(a.level, b.level) > TILE) return false;
-    if (!do_touch(x, y)) return is_plane_between(l, x, y);
-    return a.level == b.level && is_range_spread(l, both_of(x, y));
+    if (int_max(cells_in(a), cells_in(b)) > FEW) return false;
+    bool do_touch = a.body == b.body && a.left <= b.right && b.left <= a.right
+                 && a.top <= b.bottom && b.top <= a.bottom;
+    if (do_touch) return is_range_spread(l, both);
+    certified_set set[2] = { set_of(l, a), set_of(l, b) };
+    return has_plane(l, set);
 }
 
-static void look_between(const frame_look *l, tile a, tile b)
+static void look_between(const frame_look *l, part a, part b)
 {
-    tile part[4];
+    part half[2];
+    int cells = cells_in(a.cells), others = cells_in(b.cells);
     if (are_parted(l, a, b)) return;
-    if (a.level == 0 && b.level == 0) {
-        part_cells(l, cells_of(l, a), cells_of(l, b));
+    if (cells == 1 && others == 1) {
+        part_cells(l, a.cells, b.cells);
         return;
     }
-    bool is_a = a.level >= b.level;
-    int parts = split(l, is_a ? a : b, part);
-    for (int k = 0; k < parts; k++)
-        look_between(l, is_a ? part[k] : a, is_a ? b : part[k]);
+    halve(cells >= others ? a : b, half);
+    for (int k = 0; k < 2; k++)
+        look_between(l, cells >= others ? half[k] : a,
+                     cells >= others ? b : half[k]);
 }
 
-static void look_within(const frame_look *l, tile t)
+static void look_within(const frame_look *l, part p)
 {
-    tile part[4];
-    cell_range r = cells_of(l, t);
-    if (is_in_window(l, r)) return;
-    if (t.level < TILE && is_range_spread(l, r)) return;
-    if (t.level == 0) {
-        part_cells(l, r, r);
+    part half[2];
+    if (is_in_window(l, p.cells)) return;
+    if (cells_in(p.cells) < FEW && is_range_spread(l, p.cells)) return;
+    if (cells_in(p.cells) == 1) {
+        part_cells(l, p.cells, p.cells);
         return;
     }
-    int parts = split(l, t, part);
-    for (int k = 0; k < parts; k++) {
-        look_within(l, part[k]);
-        for (int i = 0; i < k; i++) look_between(l, part[i], part[k]);
-    }
+    halve(p, half);
+    for (int k = 0; k < 2; k++) look_within(l, half[k]);
+    look_between(l, half[0], half[1]);
 }
 
 static bool is_certified(const soft_frame *f, int b)
@@ -577,50 +494,63 @@ static void look_at_all(const frame_look *l)
     l->c->clashes = l->c->left_out = 0;
     for (int b = 0; b < f->bodies; b++) {
         if (!is_certified(f, b)) continue;
-        box_all(l, b);
-        mark_windows(l, b, top_of(l, b).level - TILE, 0, 0);
+        box_part(l, whole_of(l, b));
+        mark_windows(l, whole_of(l, b));
         if (soft_moves(f, b) && soft_meets(f, b, b))
-            look_within(l, top_of(l, b));
+            look_within(l, whole_of(l, b));
         for (int a = 0; a < b; a++)
             if (is_certified(f, a) && (soft_moves(f, a) || soft_moves(f, b))
                 && soft_meets(f, a, b))
-                look_between(l, top_of(l, a), top_of(l, b));
+                look_between(l, whole_of(l, a), whole_of(l, b));
     }
 }
 //<
 
 //> certificate-part
 //>   Two facets that have no plane are parted along the one that they had when
-//>   the frame began. What is nailed stays.
+//>   the frame began, by the least moves that do it and push nothing away: those
+//>   of chapter 07, of all their vertices at once.
 static bool is_fixed(const frame_look *l, int v)
 {
     return !(l->f->particle[v].inverse_mass > 0);
 }
 
-// Is any of it?
-static bool holds_still(const frame_look *l, const certified_set *s)
+// kg; what is nailed outweighs all.
+static real weight_of(const frame_look *l, int v)
 {
-    bool some = false;
-    for (int i = 0; i < s->count; i++) some |= is_fixed(l, s->vertex[i]);
-    return some;
+    static const real NAILED = 0x1p100;
+    return is_fixed(l, v) ? NAILED : 1 / l->f->particle[v].inverse_mass;
 }
 
-static real height_of_set(const frame_look *l, const certified_set *s, vec3 n)
+// A vertex must be over, or under, what parts the two.
+typedef struct {
+    real at, weight;    // where that may be at most, or at least: m, kg
+    bool is_over;
+} side_of_plane;
+
+static bool is_beyond(const side_of_plane *s, real middle)
 {
-    real least = HUGE_VAL;
-    for (int i = 0; i < s->count; i++)
-        least = real_min(vec3_dot(n, l->c->at[1][s->vertex[i]]), least);
-    return least;
+    return s->is_over ? middle > s->at : middle < s->at;
 }
 
-static void lift(const frame_look *l, const certified_set *s, vec3 n, real to)
+// Those that are not where they must be are drawn to it.  It is where their
+// pulls are in balance: each side as much as the other.
+static real balance(const side_of_plane *s, int count)
 {
-    for (int i = 0; i < s->count; i++) {
-        vec3 *x = &l->c->at[1][s->vertex[i]];
-        real low = to - vec3_dot(n, *x);
-        if (low > 0 && !is_fixed(l, s->vertex[i]))
-            *x = vec3_add_scaled(*x, low, n);
+    real low = -HUGE_VAL, sum = 0, mass = 0;
+    for (int k = 0; k < count; k++) {
+        real pull = 0;
+        for (int i = 0; i < count; i++)
+            if (is_beyond(&s[i], s[k].at))
+                pull += s[i].weight * (s[k].at - s[i].at);
+        if (pull <= 0) low = real_max(low, s[k].at);
     }
+    for (int i = 0; i < count; i++) {
+        if (s[i].is_over != (s[i].at <= low)) continue;
+        sum += s[i].weight * (s[i].at - low);
+        mass += s[i].weight;
+    }
+    return low + sum / mass;
 }
 
 // They keep so much of their gap, as a share of the thickness of cloth: less
@@ -629,73 +559,75 @@ static const real KEEPS = 0x1p-16;
 
 static void part_clash(const frame_look *l, const facet_clash *x)
 {
-    const certified_set *a = &x->set[0], *b = &x->set[1];
-    real thick = l->f->body[a->cells.body].thickness;
+    side_of_plane side[2 * FACET];
+    int count = 0, vertex[2 * FACET];
+    real thick = l->f->body[x->set[0].cells.body].thickness;
     real need = real_min(x->gap, KEEPS * thick);
-    vec3 n = x->normal, down = vec3_scale(-1, n);
-    real low = height_of_set(l, a, n), high = -height_of_set(l, b, down);
-    if (!(low - high < need)) return;
-    real middle = (low + high) / 2;
-    if (holds_still(l, a)) middle = low - need / 2;
-    else if (holds_still(l, b)) middle = high + need / 2;
-    lift(l, a, n, middle + need / 2);
-    lift(l, b, down, need / 2 - middle);
+    vec3 where = { 0, 0, 0 };
+    if (!(gap_of(l, x->set, ENDS, x->normal, &where) < need)) return;
+    for (int i = 0; i < 2; i++)
+        for (int k = 0; k < x->set[i].count; k++, count++) {
+            int v = vertex[count] = x->set[i].vertex[k];
+            real height = vec3_dot(x->normal, l->c->at[1][v]);
+            side[count] = (side_of_plane){ height + (i - 0.5) * need,
+                                           weight_of(l, v), i == 0 };
+        }
+    real middle = balance(side, count);
+    for (int k = 0; k < count; k++) {
+        vec3 *at = &l->c->at[1][vertex[k]];
+        if (is_beyond(&side[k], middle) && !is_fixed(l, vertex[k]))
+            *at = vec3_add_scaled(*at, middle - side[k].at, x->normal);
+    }
 }
 //<
 
-//> certificate-shorten
-//>   Where that does not help, the ways of all that clashes are halved, and then
-//>   taken away, but for one translation of all.
-static void shorten(const frame_look *l, const certified_set *s, vec3 together)
+//> certificate-as-one
+//>   What still clashes makes a patch with all that it clashes with, which goes
+//>   as one, by its mean way: so its momentum is left to it.
+static int patch_of(certificate *c, int v)
 {
-    certificate *c = l->c;
-    for (int i = 0; i < s->count; i++) {
-        int v = s->vertex[i];
-        if (c->is_done[v] || is_fixed(l, v)) continue;
-        c->is_done[v] = true;
-        c->share[v] = c->share[v] > 0.5 ? 0.5 : 0;
-        vec3 stay = vec3_add(c->at[0][v], together);
-        vec3 way = vec3_sub(c->goal[v], stay);
-        c->at[1][v] = vec3_add_scaled(stay, c->share[v], way);
+    while (c->of[v].patch != v) {
+        c->of[v].patch = c->of[c->of[v].patch].patch;
+        v = c->of[v].patch;
     }
+    return v;
 }
 
-// What all that clashes goes in the mean; nothing, if some of it is nailed.
-static vec3 go_together(const frame_look *l)
+static void join(certificate *c, const facet_clash *x)
 {
-    const certificate *c = l->c;
-    vec3 sum = { 0, 0, 0 };
-    int count = 0;
+    int first = patch_of(c, x->set[0].vertex[0]);
+    for (int i = 0; i < 2; i++)
+        for (int k = 0; k < x->set[i].count; k++)
+            c->of[patch_of(c, x->set[i].vertex[k])].patch = first;
+    c->of[first].is_whole = true;
+}
+
+static void go_as_one(const frame_look *l)
+{
+    certificate *c = l->c;
     for (int k = 0; k < int_min(c->clashes, c->particles); k++)
-        for (int i = 0; i < 2; i++) {
-            const certified_set *s = &c->clash[k].set[i];
-            if (holds_still(l, s)) return (vec3){ 0, 0, 0 };
-            for (int n = 0; n < s->count; n++, count++)
-                sum = vec3_add(sum, vec3_sub(c->at[1][s->vertex[n]],
-                                             c->at[0][s->vertex[n]]));
-        }
-    return vec3_scale(1.0 / count, sum);
+        join(c, &c->clash[k]);
+    for (int v = 0; v < c->particles; v++) {
+        c->of[v].way = (vec3){ 0, 0, 0 };
+        c->of[v].mass = 0;
+    }
+    for (int v = 0; v < c->particles; v++) {
+        certified_vertex *p = &c->of[patch_of(c, v)];
+        if (!p->is_whole) continue;
+        real m = weight_of(l, v);
+        vec3 way = vec3_sub(c->at[1][v], c->at[0][v]);
+        p->way = vec3_add_scaled(p->way, m, way);
+        p->mass += m;
+    }
+    for (int v = 0; v < c->particles; v++) {
+        const certified_vertex *p = &c->of[patch_of(c, v)];
+        if (p->is_whole && !is_fixed(l, v))
+            c->at[1][v] = vec3_add_scaled(c->at[0][v], 1 / p->mass, p->way);
+    }
 }
 
 // Before all of it stands still for a frame.
-enum { PARTINGS = 4, ATTEMPTS = 4, SHORTENINGS = 60 };
-
-static void mend(const frame_look *l, int round, vec3 together)
-{
-    certificate *c = l->c;
-    int n = int_min(c->clashes, c->particles);
-    for (int k = 0; k < ATTEMPTS * n && round < PARTINGS; k++)
-        part_clash(l, &c->clash[k % n]);
-    if (round < PARTINGS) return;
-    for (int v = 0; v < c->particles; v++) {
-        c->is_done[v] = false;
-        if (round > PARTINGS) continue;
-        c->goal[v] = c->at[1][v];
-        c->share[v] = 1;
-    }
-    for (int k = 0; k < 2 * n; k++)
-        shorten(l, &c->clash[k / 2].set[k % 2], together);
-}
+enum { PARTINGS = 4, ATTEMPTS = 4, ROUNDS = 60 };
 
 static void certify(const frame_look *l)
 {
@@ -703,30 +635,37 @@ static void certify(const frame_look *l)
     look_at_all(l);
     if (c->left_out > 0) look_at_all(l);
     c->prevented = c->clashes;
-    if (c->clashes == 0) return;
-    vec3 together = go_together(l);
-    for (int k = 0; k < PARTINGS + SHORTENINGS; k++) {
-        mend(l, k, together);
+    for (int k = 0; k < PARTINGS && c->clashes > 0; k++) {
+        int n = int_min(c->clashes, c->particles);
+        for (int i = 0; i < ATTEMPTS * n; i++) part_clash(l, &c->clash[i % n]);
         look_at_all(l);
-        if (c->clashes == 0) return;
     }
-    for (int v = 0; v < c->particles; v++)
+    for (int v = 0; v < c->particles && c->clashes > 0; v++) {
+        c->of[v].patch = v;
+        c->of[v].is_whole = false;
+    }
+    for (int k = 0; k < ROUNDS && c->clashes > 0; k++) {
+        go_as_one(l);
+        look_at_all(l);
+    }
+    for (int v = 0; v < c->particles && c->clashes > 0; v++)
         if (!is_fixed(l, v)) c->at[1][v] = c->at[0][v];
 }
 //<
 
 //> certificate-frame
-//>   What it has taken of a way, it takes of the velocity.
+//>   What it has added to a way, it adds to the velocity.
 static void take_back(const frame_look *l, int v)
 {
     const soft_frame *f = l->f;
     particle *p = &f->particle[v];
     vec3 by = vec3_sub(l->c->at[1][v], p->position);
-    if (vec3_length_squared(by) == 0) return;
+    if (!(vec3_length_squared(by) > 0)) return;
     p->position = l->c->at[1][v];
     p->previous = vec3_add_scaled(p->previous, 1 - f->age / f->frame, by);
 }
 
+// A vertex that is lost stands still for all others.
 static void copy_positions(certificate *c, const soft_frame *f, int end)
 {
     real most = 0;
@@ -734,9 +673,11 @@ static void copy_positions(certificate *c, const soft_frame *f, int end)
         if (!is_certified(f, b)) continue;
         int n = f->body[b].first + body_particles(&f->body[b]);
         for (int v = f->body[b].first; v < n; v++) {
-            vec3 x = c->at[end][v] = f->particle[v].position;
+            vec3 x = f->particle[v].position;
+            if (end > 0 && !vec3_is_finite(x)) x = c->at[0][v];
             most = real_max(real_max(fabs(x.x), fabs(x.y)),
                             real_max(fabs(x.z), most));
+            c->at[end][v] = x;
         }
     }
     c->rounding = real_max(end == 0 ? 0 : c->rounding, 0x1p-40 * most);
@@ -750,9 +691,13 @@ void certificate_begin(certificate *c, const soft_frame *f)
 void certificate_end(certificate *c, const soft_frame *f)
 {
     frame_look l = { .c = c, .f = f };
+    bool is_still = true;
+    for (int b = 0; b < f->bodies; b++)
+        is_still = is_still && !(is_certified(f, b) && soft_moves(f, b));
+    c->prevented = c->left_out = 0;
+    if (is_still) return;
     copy_positions(c, f, 1);
-    if (c->particles > 0)
-        memset(c->crossed, 0, (size_t)c->particles * sizeof *c->crossed);
+    for (int v = 0; v < c->particles; v++) c->of[v].crossed = false;
     certify(&l);
     l.tells = c->read != NULL;
     if (l.tells) look_at_all(&l);
@@ -770,12 +715,8 @@ status certificate_grow(certificate *c, int kept, int particles)
 {
     bool ok = true;
     for (int e = 0; e < ENDS; e++) TABLE_GROW(ok, c->at[e], kept, particles);
-    TABLE_GROW(ok, c->goal, kept, particles);
-    TABLE_GROW(ok, c->share, kept, particles);
-    TABLE_GROW(ok, c->is_done, kept, particles);
-    TABLE_GROW(ok, c->box, kept, particles);
-    TABLE_GROW(ok, c->spread, kept, particles);
-    TABLE_GROW(ok, c->crossed, kept, particles);
+    TABLE_GROW(ok, c->of, kept, particles);
+    TABLE_GROW(ok, c->box, 2 * kept, 2 * particles);
     TABLE_GROW(ok, c->clash, kept, particles);
     if (!ok) return status_out_of_memory();
     c->particles = particles;
@@ -785,12 +726,8 @@ status certificate_grow(certificate *c, int kept, int particles)
 void certificate_free(certificate *c)
 {
     for (int e = 0; e < ENDS; e++) free(c->at[e]);
-    free(c->goal);
-    free(c->share);
-    free(c->is_done);
+    free(c->of);
     free(c->box);
-    free(c->spread);
-    free(c->crossed);
     free(c->clash);
     *c = (certificate){ .particles = 0 };
 }

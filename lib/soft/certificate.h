@@ -26,12 +26,12 @@ typedef struct {
     int body, left, top, right, bottom;
 } cell_range;
 
-// What a witness speaks of: all cells of a range, or up to three vertices of
-// the pool.
+// What a witness speaks of: all cells of a range, or some vertices of the pool:
+// of a triangle, or of four cells.
 typedef struct {
     cell_range cells;
     int count;          // of vertices; 0: the range
-    int vertex[FACET];
+    int vertex[10];
 } certified_set;
 
 // WITNESS_PLANE: normal[0] . (a - b) > 0 for every vertex a of the first set
@@ -52,7 +52,7 @@ typedef void witness_reader(void *to, const witness *w);
 //<
 
 //> certificate-struct
-// The box around a tile of a cloth, at both ends.
+// The box around a part of a cloth, at both ends.
 typedef struct {
     vec3 low[ENDS], high[ENDS];
 } swept_box;
@@ -64,15 +64,21 @@ typedef struct {
     real gap;           // m, by so much
 } facet_clash;
 
+typedef struct {
+    int  right, bottom; // up to here the patch reaches that has its cell, see
+                        // mark_windows; 0: there is none
+    bool crossed;       // it is of a pair that crossed at first
+    int  patch;         // a vertex of what goes as one with it, or itself; that
+    bool is_whole;      // knows if there are others,
+    real mass;          // kg, what all weigh,
+    vec3 way;           // kg m, and the sum of their ways
+} certified_vertex;
+
 // All but what was prevented is room for one frame.
 typedef struct {
     vec3 *at[ENDS];             // [particles] of the pool
-    vec3 *goal;                 // [particles] where all would have ended
-    real *share;                // [particles] of that way that it goes
-    bool *is_done;              // [particles] shortened in this round
-    swept_box *box;             // [particles] of tiles, and of tiles of these
-    signed char *spread;        // [particles] of tiles, see mark_windows
-    bool *crossed;              // [particles] of a pair that crossed at first
+    certified_vertex *of;       // [particles]
+    swept_box *box;             // [2 particles] of parts, see halve
     facet_clash *clash;         // [particles]
     int particles;              // for so many there is room
     int clashes;                // in this look, that found room or not
@@ -97,8 +103,8 @@ void certificate_begin(certificate *c, const soft_frame *f);
 
 // It ends: if no triangle of cloth crossed another of that cloth, or of one that
 // it meets, none does now.  Where the end cannot be proved to be so, particles are
-// put nearer to where they were, and lose that part of their speed.  Pairs that
-// crossed when the frame began are left out, and those beside them.
+// parted, or go as one; what is free keeps its momentum.  Pairs that crossed when
+// the frame began are left out, and those beside them.
 void certificate_end(certificate *c, const soft_frame *f);
 
 #endif

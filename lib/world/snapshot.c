@@ -215,12 +215,8 @@ static void rigid_view_store(rigid_view *v, store *s)
 static void certificate_store(certificate *c, store *s)
 {
     for (int e = 0; e < ENDS; e++) STORE_ROOM(s, c->at[e], c->particles);
-    STORE_ROOM(s, c->goal, c->particles);
-    STORE_ROOM(s, c->share, c->particles);
-    STORE_ROOM(s, c->is_done, c->particles);
-    STORE_ROOM(s, c->box, c->particles);
-    STORE_ROOM(s, c->spread, c->particles);
-    STORE_ROOM(s, c->crossed, c->particles);
+    STORE_ROOM(s, c->of, c->particles);
+    STORE_ROOM(s, c->box, 2 * c->particles);
     STORE_ROOM(s, c->clash, c->particles);
     STORE_FORGET(s, c->read);
     STORE_FORGET(s, c->to);

@@ -297,6 +297,45 @@ START_TEST(what_is_stopped_loses_its_speed_and_what_is_nailed_stays)
 }
 END_TEST
 
+// kg m of all, and of each where it is now: free particles weigh what they do.
+static void sums(vec3 *way, vec3 *place)
+{
+    *way = *place = (vec3){ 0, 0, 0 };
+    for (int v = 0; v < ALL; v++) {
+        real m = 1 / at[v].inverse_mass;
+        *place = vec3_add_scaled(*place, m, at[v].position);
+        *way = vec3_add_scaled(*way, m, vec3_sub(at[v].position,
+                                                 at[v].previous));
+    }
+}
+
+// Sheets of which one is three times as heavy.  Rejects: the middle between
+// two that do not weigh the same; ways that are taken away; velocities that are
+// left as they were.
+START_TEST(what_is_free_keeps_its_momentum_and_loses_its_approach)
+{
+    unsigned long long seed = (unsigned long long)_i + 200;
+    vec3 way, place, way_then, place_then;
+    lay(&seed, 0.5 * SPACING);
+    for (int v = 0; v < EACH; v++) at[v].inverse_mass = EACH / 3.0;
+    certificate_begin(&proof, &frame);
+    if (_i % 2) demand(&seed);
+    for (int v = 0; v < ALL; v++)
+        move(v, vec3_make(0, v < EACH ? SPACING : -SPACING, 0));
+    sums(&way, &place);
+    certificate_end(&proof, &frame);
+    sums(&way_then, &place_then);
+    ck_assert_int_gt(proof.prevented, 0);
+    ck_assert(vec3_distance(way, way_then) < 1e-13);
+    ck_assert(vec3_distance(place, place_then) < 1e-13);
+    for (int v = 0; v < EACH && _i % 2 == 0; v++) {
+        real lower = at[v].position.y - at[v].previous.y;
+        real upper = at[EACH + v].position.y - at[EACH + v].previous.y;
+        ck_assert(lower - upper < 2 * SPACING * AGE / FRAME);
+    }
+}
+END_TEST
+
 // An upright sheet stands through a lying one, and is drawn up and out.
 START_TEST(what_crosses_already_is_left_out_and_goes_its_way)
 {
@@ -347,5 +386,7 @@ int main(void)
         .name = "certificate", .tests = tests, .set_up = set_up,
         .tear_down = tear_down, .seconds = 60,
         .repeated = { { whoever_starts_uncrossed_never_crosses, 0, 24 },
-                      { its_witnesses_are_replayed_by_dot_products, 0, 6 } } });
+                      { its_witnesses_are_replayed_by_dot_products, 0, 6 },
+                      { what_is_free_keeps_its_momentum_and_loses_its_approach,
+                        0, 12 } } });
 }

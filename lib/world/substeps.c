@@ -124,7 +124,7 @@ static int hold(substep_choice *c, const island *i, int need)
 static int usual_of(const world *w, const island *i)
 {
     if (i->is_soft || (i->is_fast && !is_joined(i)))
-        return world_usual(w, i->is_soft);
+        return world_usual(w, false);
     return w->options.substeps;
 }
 

@@ -370,8 +370,8 @@ bool soft_may_meet(const soft_solver *s, int b)
 //<
 
 //> soft-substeps
-//>   Where all iterations have left a link off by 1 %, or a cloth is pinned,
-//>   nine more are taken at once. A frame that is divided for something fast
+//>   Where all iterations have left a link off by 1 %, nine more are taken at
+//>   once. A frame that is divided for something fast
 //>   (chapter 15) takes as many in its four parts together. The number rises at
 //>   once, and falls after three frames.
 // In a substep nothing should go further than a share of its own radius: the
@@ -447,9 +447,8 @@ static int share_of(const soft_frame *f, int substeps)
 }
 
 // The strands of a deformable body count on all of the usual substeps, and on a
-// few more where layers press on each other, where all sweeps have left a link
-// off by 1 %, and where a cloth is pinned.  (Blows press, too, but small steps
-// hardly make those softer.)
+// few more where layers press on each other, and where all sweeps have left a link
+// off by 1 %.  (Blows press, too, but small steps hardly make those softer.)
 int soft_substeps(const soft_solver *s, const soft_frame *f)
 {
     int n = 0, most = share_of(f, f->substeps + MORE_WHEN_PRESSED);

@@ -446,17 +446,24 @@ static int share_of(const soft_frame *f, int substeps)
     return (int)share + ((int)share < share);
 }
 
+// Rope, and a sheet that pins may hold taut.
+static bool is_stiff(const soft_frame *f, int a)
+{
+    const body *x = &f->body[a];
+    return x->shape->kind == SHAPE_ROPE
+        || is_pinned(x->shape, f->particle + x->first);
+}
+
 // The strands of a deformable body count on all of the usual substeps, and on a
-// few more where layers press on each other, and where all sweeps have left a link
-// off by 1 %.  (Blows press, too, but small steps hardly make those softer.)
+// few more where layers press on each other, and where all sweeps have left a
+// link off by 1 %.  (Blows press, too, but small steps hardly make those softer.)
 int soft_substeps(const soft_solver *s, const soft_frame *f)
 {
     int n = 0, most = share_of(f, f->substeps + MORE_WHEN_PRESSED);
     int pressed = (int)real_min(f->frame * s->pace, most);
     for (int a = 0; a < f->bodies; a++) {
         if (!body_is_soft(&f->body[a])) continue;
-        bool is_rope = f->body[a].shape->kind == SHAPE_ROPE;
-        int usual = is_rope ? f->stiff_substeps : f->substeps;
+        int usual = is_stiff(f, a) ? f->stiff_substeps : f->substeps;
         if (soft_moves(f, a))
             n = int_max(n, int_max(int_max(usual, pressed),
                                    substeps_for_weight(f, a)));

@@ -90,8 +90,9 @@ int tumble_version_number(void);
 typedef struct {
     double dt;              // s, a step; 1e-9 to 1, 1/60
     int    substeps;        // of a step, at least, 1 to 10000; 0, as it comes:
-                            // four (rope and cloth eight), or so
-                            // many that none is longer than 1/240 s.  High
+                            // four (rope, and cloth with pins or beside
+                            // what moves, eight), or so many that none
+                            // is longer than 1/240 s.  High
                             // stacks, heavy loads, joints and cloth take more,
                             // and what does not touch them does not
     int    most_substeps;   // a hard step takes more of them, up to this, 200;

@@ -310,8 +310,9 @@ static inline real wrong_length(real now, real rest, real longer)
 // other.  drawn: how the links have pulled; a pull of 1 stretches them by give.
 ALWAYS_INLINE void eliminate(const real *restrict at, const real *restrict hold,
                              int apart, int pitch, real *restrict before,
-                             int lanes, int old, int held, real rest2,
-                             real half, const real *restrict drawn, real give,
+                             int lanes, int old, int held, int gives,
+                             real rest2, real half,
+                             const real *restrict drawn, real give,
                              tally *restrict t)
 {
     real rest = sqrt(rest2);
@@ -334,7 +335,7 @@ ALWAYS_INLINE void eliminate(const real *restrict at, const real *restrict hold,
             e.upper += a.upper;
             e.diagonal += a.diagonal;
         }
-        if (drawn) e.diagonal += give * now;
+        if (gives) e.diagonal += give * now;
         real h = (old ? e.upper : e.lower) * before[SHARE * lanes + l];
         before[SHARE * lanes + l] = h;
         real pivot = e.diagonal - e.lower * h;
@@ -343,7 +344,7 @@ ALWAYS_INLINE void eliminate(const real *restrict at, const real *restrict hold,
         here[SHARE * lanes + l] = inverse;
 
         real twice = now - rest2;
-        if (drawn) twice = 2 * wrong_length(now, rest, give * drawn[l]);
+        if (gives) twice = 2 * wrong_length(now, rest, give * drawn[l]);
         real asked = half * twice;
         count_wrong(t, l, twice, old);
         asked = asked > -now ? asked : -now;
@@ -362,11 +363,30 @@ NEVER_INLINE void eliminate_held(const real *restrict at,
                                  real rest2, real half, tally *restrict t)
 {
     if (lanes == LANES)
-        eliminate(at, hold, apart, pitch, before, LANES, 0, 1, rest2, half,
+        eliminate(at, hold, apart, pitch, before, LANES, 0, 1, 0, rest2, half,
                   NULL, 0, t);
     else
-        eliminate(at, hold, apart, pitch, before, HALF, 0, 1, rest2, half,
+        eliminate(at, hold, apart, pitch, before, HALF, 0, 1, 0, rest2, half,
                   NULL, 0, t);
+}
+
+// Those that give, likewise.
+NEVER_INLINE void eliminate_giving(const real *restrict at,
+                                   const real *restrict hold, int apart,
+                                   int pitch, real *restrict before, int lanes,
+                                   int held, real rest2, real half,
+                                   const real *restrict drawn, real give,
+                                   tally *restrict t)
+{
+    if (lanes == LANES && !held)
+        eliminate(at, hold, apart, pitch, before, LANES, 0, 0, 1, rest2, half,
+                  drawn, give, t);
+    else if (lanes == LANES)
+        eliminate(at, hold, apart, pitch, before, LANES, 0, 1, 1, rest2, half,
+                  drawn, give, t);
+    else
+        eliminate(at, hold, apart, pitch, before, lanes, 0, held, 1, rest2,
+                  half, drawn, give, t);
 }
 //<
 
@@ -590,17 +610,18 @@ ALWAYS_INLINE void eliminate_lines(block *b, int lanes, int old)
     for (int k = 1; k < b->s.particles; k++) {
         bool is_held = held && (held[k - 1] | held[k]);
         if (!old && b->give > 0)
-            eliminate(at, hold, apart, pitch, row, lanes, 0, is_held, rest2,
-                      half, b->drawn + (k - 1) * lanes, b->give, &t);
+            eliminate_giving(at, hold, apart, pitch, row, lanes, is_held,
+                             rest2, half, b->drawn + (k - 1) * lanes,
+                             b->give, &t);
         else if (is_held && lanes > 1 && !old)
             eliminate_held(at, hold, apart, pitch, row, lanes, rest2, half,
                            &t);
         else if (is_held)
-            eliminate(at, hold, apart, pitch, row, lanes, old, 1, rest2, half,
-                      NULL, 0, &t);
+            eliminate(at, hold, apart, pitch, row, lanes, old, 1, 0, rest2,
+                      half, NULL, 0, &t);
         else
-            eliminate(at, hold, apart, pitch, row, lanes, old, 0, rest2, half,
-                      NULL, 0, &t);
+            eliminate(at, hold, apart, pitch, row, lanes, old, 0, 0, rest2,
+                      half, NULL, 0, &t);
         row += FIELDS * lanes;
         at += pitch;
         hold += pitch;
@@ -722,17 +743,30 @@ static void hold_back(block *b, int l, int old)
 
 // What the links have pulled is remembered: it is that which stretches them, and
 // makes them strings.
-static void remember_pulls(const block *b, const int *done)
+ALWAYS_INLINE void add_pulls(const real *restrict row, int links,
+                             real *restrict drawn, const real *restrict done,
+                             int lanes)
 {
-    for (int k = 0; k + 1 < b->s.particles; k++) {
-        const real *row = row_at(b, k);
-        for (int l = 0; l < b->lanes; l++) {
-            if (!done[l]) continue;
-            vec3 link = lane_get(row, PUSH, b->lanes, l);
-            real solved = row[SOLVED * b->lanes + l];
-            b->drawn[k * b->lanes + l] += solved * vec3_length(link);
+    for (int k = 0; k < links; k++) {
+        for (int l = 0; l < lanes; l++) {
+            vec3 link = lane_get(row, PUSH, lanes, l);
+            real pull = row[SOLVED * lanes + l] * vec3_length(link);
+            drawn[l] += done[l] > 0 ? pull : 0;
         }
+        row += FIELDS * lanes;
+        drawn += lanes;
     }
+}
+
+static void remember_pulls(const block *b, const int *solved)
+{
+    int links = b->s.particles - 1;
+    real done[LANES];
+    for (int l = 0; l < b->lanes; l++) done[l] = solved[l];
+    if (b->lanes == LANES)
+        add_pulls(row_at(b, 0), links, b->drawn, done, LANES);
+    else
+        add_pulls(row_at(b, 0), links, b->drawn, done, b->lanes);
 }
 //<
 

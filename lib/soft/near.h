@@ -45,7 +45,9 @@ typedef struct {
     int  iterations;            // over strands, at most
     bool certified;             // no cloth crosses cloth, see certificate.h
     relax_options relax;
-    int  substeps, most_substeps;   // of a frame: usual, and at most
+    int  substeps;              // of a frame: usual for cloth,
+    int  stiff_substeps;        // for rope, and cloth with a body on it,
+    int  most_substeps;         // and at most
     real frame, whole;          // s; it may be a part of a divided one
     real age;                   // s, a particle was at `previous` so long ago
     real h;                     // s, this substep

@@ -82,20 +82,6 @@ static void spread_cells(const soft_frame *f, int number)
         }
 }
 
-// Links as long as they should be leave no diagonal longer than two of them, or
-// 1.41 times what it is at rest.  One that has been torn further would be drawn
-// past its other end along what it was a substep ago, and end longer still: see
-// chapter 2.  Along what it is now it cannot be.
-static const real TORN = 1.5;               // tuned, rest lengths
-
-static void draw(stick s, particle *p, relax_options o)
-{
-    vec3 along = vec3_sub(p[s.b].position, p[s.a].position);
-    real most = TORN * s.rest_length;
-    if (!(vec3_length_squared(along) <= most * most)) o.gradient = GRADIENT_NEW;
-    stick_relax(s, p, o);
-}
-
 // A cloth takes up to so many substeps more than usual for itself.
 enum { MORE_WHEN_PRESSED = 9 };             // tuned, substeps
 
@@ -111,6 +97,23 @@ static real stiffness_in(const soft_frame *f, real stiffness)
     return stiffness / (stiffness + (1 - stiffness) * times * times);
 }
 
+// A corrected share of what each is off, along what it is now.
+static void draw(const stick *s, int n, real stiffness, particle *p)
+{
+    for (int k = 0; k < n; k++) {
+        particle *a = &p[s[k].a], *b = &p[s[k].b];
+        vec3 along = vec3_sub(b->position, a->position);
+        real length = vec3_length(along);
+        real divisor = length * (a->inverse_mass + b->inverse_mass);
+        if (!(divisor > 0)) continue;
+        real pull = stiffness * (length - s[k].rest_length) / divisor;
+        a->position = vec3_add_scaled(a->position, pull * a->inverse_mass,
+                                      along);
+        b->position = vec3_add_scaled(b->position, -pull * b->inverse_mass,
+                                      along);
+    }
+}
+
 // The diagonals come before the contacts, and both before the strands: what
 // comes last holds best.  All of them are alike.
 static void draw_diagonals(soft_solver *s, const soft_frame *f, const body *b)
@@ -120,15 +123,7 @@ static void draw_diagonals(soft_solver *s, const soft_frame *f, const body *b)
     if (others == 0) return;
     const stick *diagonal = plan->stick + links;
     real stiffness = stiffness_in(f, diagonal->stiffness);
-    bool is_usual = stiffness == diagonal->stiffness;
-    if (is_usual && f->relax.gradient == GRADIENT_NEW)
-        sticks_iterate(diagonal, others, f->particle + b->first, f->relax);
-    else
-        for (int k = 0; k < others; k++) {
-            stick x = diagonal[k];
-            x.stiffness = stiffness;
-            draw(x, f->particle + b->first, f->relax);
-        }
+    draw(diagonal, others, stiffness, f->particle + b->first);
     spread_cells(f, (int)(b - f->body));
     s->tested += others;
     s->relaxed += others;
@@ -221,15 +216,24 @@ static real compliance_of(const body *b, const particle *p)
     return b->compliance > 0 || !is_pinned(b->shape, p) ? b->compliance : b->taut;
 }
 
+// Cloth is solved along its links as they lie now: what a row has done does not
+// turn what a column did.
+static relax_options options_of(const soft_frame *f, const shape *s)
+{
+    relax_options o = f->relax;
+    if (shape_directions(s) < 2) return o;
+    o.gradient = GRADIENT_NEW;
+    o.tolerance = real_max(o.tolerance, CLOTH_TOLERANCE);
+    return o;
+}
+
 static void relax_body(soft_solver *s, const soft_frame *f, const body *b)
 {
     const shape *plan = b->shape;
     particle *p = f->particle + b->first;
     line_hold *hold = f->hold + b->first;
     int links = shape_links(plan);
-    relax_options o = f->relax;
-    if (shape_directions(plan) > 1)
-        o.tolerance = real_max(o.tolerance, CLOTH_TOLERANCE);
+    relax_options o = options_of(f, plan);
     line_result l = lines_relax(plan, p, f->iterations, o, hold,
                                 compliance_of(b, p) / (f->h * f->h), b->line);
     for (int i = 0; i < plan->particles; i++) calm(&p[i], &hold[i]);
@@ -237,8 +241,7 @@ static void relax_body(soft_solver *s, const soft_frame *f, const body *b)
     s->relaxed += l.steps * links;
     s->fell_back += l.fell_back;
     bool is_strained = l.worst > STRAINED && l.worst < HUGE_VAL;
-    if (is_strained || (shape_directions(plan) > 1 && is_pinned(plan, p)))
-        s->pressed = HUGE_VAL;
+    if (is_strained) s->pressed = HUGE_VAL;
 }
 
 void soft_relax(soft_solver *s, const soft_frame *f)
@@ -367,8 +370,8 @@ bool soft_may_meet(const soft_solver *s, int b)
 //<
 
 //> soft-substeps
-//>   Where all iterations have left a link off by 1 %, or a cloth is pinned,
-//>   nine more are taken at once. A frame that is divided for something fast
+//>   Where all iterations have left a link off by 1 %, nine more are taken at
+//>   once. A frame that is divided for something fast
 //>   (chapter 15) takes as many in its four parts together. The number rises at
 //>   once, and falls after three frames.
 // In a substep nothing should go further than a share of its own radius: the
@@ -389,7 +392,7 @@ static int substeps_for(const soft_frame *f, int b, real far, real share)
 // spacing: it comes out where it went in.  A rigid body drives the light
 // particles of a cloth before it, their sticks pull them back, and it must not
 // be past them before their whole weight has stopped it: a quarter of its
-// radius.
+// radius.  What lies on them is as heavy beside them as the load of a rope.
 static const real INTO_THICK = 2;           // tuned, spacings / 2
 static const real BY_RIGID = 0.25;          // tuned, radii
 
@@ -404,6 +407,7 @@ static int substeps_to_meet(const soft_solver *s, const soft_frame *f, int a,
     if (body_is_soft(&f->body[b])) return substeps_for(f, a, x->reach, 1);
     bool is_thick = f->body[b].inner > f->body[a].shape->spacing;
     int n = substeps_for(f, a, x->reach, is_thick ? INTO_THICK : 1);
+    if (!body_is_fixed(&f->body[b])) n = int_max(n, f->stiff_substeps);
     return int_max(n, substeps_for(f, b, y->reach, BY_RIGID));
 }
 
@@ -442,20 +446,27 @@ static int share_of(const soft_frame *f, int substeps)
     return (int)share + ((int)share < share);
 }
 
+// Rope, and a sheet that pins may hold taut.
+static bool is_stiff(const soft_frame *f, int a)
+{
+    const body *x = &f->body[a];
+    return x->shape->kind == SHAPE_ROPE
+        || is_pinned(x->shape, f->particle + x->first);
+}
+
 // The strands of a deformable body count on all of the usual substeps, and on a
-// few more where layers press on each other, where all sweeps have left a link
-// off by 1 %, and where a cloth is pinned.  (Blows press, too, but small steps
-// hardly make those softer.)
+// few more where layers press on each other, and where all sweeps have left a
+// link off by 1 %.  (Blows press, too, but small steps hardly make those softer.)
 int soft_substeps(const soft_solver *s, const soft_frame *f)
 {
-    int n = 0, usual = f->substeps;
-    real pressed = real_min(f->frame * s->pace,
-                            share_of(f, usual + MORE_WHEN_PRESSED));
-    if (pressed > usual) usual = (int)pressed;
+    int n = 0, most = share_of(f, f->substeps + MORE_WHEN_PRESSED);
+    int pressed = (int)real_min(f->frame * s->pace, most);
     for (int a = 0; a < f->bodies; a++) {
         if (!body_is_soft(&f->body[a])) continue;
+        int usual = is_stiff(f, a) ? f->stiff_substeps : f->substeps;
         if (soft_moves(f, a))
-            n = int_max(n, int_max(usual, substeps_for_weight(f, a)));
+            n = int_max(n, int_max(int_max(usual, pressed),
+                                   substeps_for_weight(f, a)));
         for (int b = 0; b < f->bodies; b++)
             n = int_max(n, substeps_to_meet(s, f, a, b));
     }

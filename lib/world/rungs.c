@@ -201,12 +201,12 @@ static void find_demands(world *w)
 
 //> rungs-choose
 //>   So many substeps as it wants, and the rung that has as many.
-// The lowest is of those that need half as many more than usual, at most; each
-// other of a quarter more than the one below.
-static int rung_of(const world *w, int substeps)
+// The lowest is of those that need half as many more than usual, at most, and are
+// no rope or cloth; each other of a quarter more than the one below.
+static int rung_of(const world *w, int substeps, bool is_soft)
 {
     real top = 1.5 * w->options.substeps * w->frame / w->options.dt;
-    int k = 0;
+    int k = is_soft;
     for (; top < substeps && k < RUNGS - 1; k++) top *= 1.25;
     return k;
 }
@@ -237,7 +237,8 @@ static int take_rungs(world *w)
     int highest = 0;
     for (int k = 0; k < t->awakes; k++) {
         int b = t->awake[k], of = island_root(t->island, b);
-        int n = t->island[of].substeps, r = rung_of(w, n);
+        int n = t->island[of].substeps;
+        int r = rung_of(w, n, t->island[of].is_soft);
         t->rung[b] = (char)r;
         t->island[b].parent = of;
         t->choice[b] = t->choice[of];

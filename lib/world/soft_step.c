@@ -21,7 +21,8 @@ soft_frame soft_frame_of(world *w, real h)
         .material = w->has_materials ? t->material : NULL,
         .wall = w->wall, .owner = w->owner, .iterations = o->iterations,
         .certified = o->certified,
-        .relax = o->relax, .substeps = world_usual(w, true),
+        .relax = o->relax, .substeps = o->substeps,
+        .stiff_substeps = world_usual(w, true),
         .most_substeps = o->most_substeps, .frame = w->frame,
         .whole = o->dt, .age = w->age,
         .h = h };

@@ -129,7 +129,7 @@ static bool takes_all(const island *i)
 int substeps_choose(world *w, const island *i, substep_choice *c)
 {
     real share = w->frame / w->options.dt;
-    int usual = takes_all(i) ? world_usual(w, i->is_soft) : w->options.substeps;
+    int usual = takes_all(i) ? world_usual(w, false) : w->options.substeps;
     int fewest = usual;
     int most = int_max(w->options.most_substeps, usual);
     real stiff = real_min(substeps_for_contacts(w, i, c->now), most);

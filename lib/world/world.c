@@ -24,7 +24,7 @@ world_options world_options_default(void)
         .sleep_speed = 0.005,       // tuned, m/s
         .time_to_sleep = 0.5,       // tuned, s
         // Columns and rows of a cloth are solved in turn.
-        .iterations = 6,            // tuned, iterations
+        .iterations = 40,           // tuned, iterations
         .relax = { ROOT_EXACT, GRADIENT_OLD, 1e-9, 0 },
     };
 }
@@ -39,13 +39,13 @@ int world_substeps(const world_options *o)
     return int_max(FEWEST, (int)(rate * o->dt - rounding) + 1);
 }
 
-int world_usual(const world *w, bool is_soft)
+int world_usual(const world *w, bool is_stiff)
 {
-    // Rope, cloth and joints are stiffer than contacts.
+    // Rope, what lies on cloth, and joints are stiffer than contacts.
     enum { SOFT = 8 };                      // tuned, substeps
     int n = w->options.substeps;
     bool is_part = w->frame < w->options.dt;
-    return (is_soft || is_part) && !w->has_substeps ? int_max(SOFT, n) : n;
+    return (is_stiff || is_part) && !w->has_substeps ? int_max(SOFT, n) : n;
 }
 //<
 

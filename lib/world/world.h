@@ -318,10 +318,11 @@ world_options world_options_default(void);
 // else four, or so many that none is longer than 1/240 s.
 int world_substeps(const world_options *o);
 
-// The same in this frame, of rope and cloth or of anything else.  Where options did
-// not say, it is at least eight for rope and cloth, for the errors of a swing go as
-// h^2; and in each part of a divided frame.
-int world_usual(const world *w, bool is_soft);
+// The same in this frame, of what is stiff or of anything else.  Where options
+// did not say, it is at least eight for what is stiff: rope, for the errors of a
+// swing go as h^2, and cloth that hangs by pins or bears a body; and in each part
+// of a divided frame.
+int world_usual(const world *w, bool is_stiff);
 
 // An empty world.  Fails, with the option's name, if one is out of range: *w is
 // empty then, too, and owns nothing.

@@ -241,7 +241,8 @@ static void relax_body(soft_solver *s, const soft_frame *f, const body *b)
     s->relaxed += l.steps * links;
     s->fell_back += l.fell_back;
     bool is_strained = l.worst > STRAINED && l.worst < HUGE_VAL;
-    if (is_strained) s->pressed = HUGE_VAL;
+    if (is_strained || (shape_directions(plan) > 1 && is_pinned(plan, p)))
+        s->pressed = HUGE_VAL;
 }
 
 void soft_relax(soft_solver *s, const soft_frame *f)
@@ -370,8 +371,8 @@ bool soft_may_meet(const soft_solver *s, int b)
 //<
 
 //> soft-substeps
-//>   Where all iterations have left a link off by 1 %, nine more are taken at
-//>   once. A frame that is divided for something fast
+//>   Where all iterations have left a link off by 1 %, or a cloth is pinned,
+//>   nine more are taken at once. A frame that is divided for something fast
 //>   (chapter 15) takes as many in its four parts together. The number rises at
 //>   once, and falls after three frames.
 // In a substep nothing should go further than a share of its own radius: the
@@ -455,15 +456,17 @@ static bool is_stiff(const soft_frame *f, int a)
 }
 
 // The strands of a deformable body count on all of the usual substeps, and on a
-// few more where layers press on each other, and where all sweeps have left a
-// link off by 1 %.  (Blows press, too, but small steps hardly make those softer.)
+// few more where layers press on each other, where all sweeps have left a link
+// off by 1 %, and where a cloth is pinned.  (Blows press, too, but small steps
+// hardly make those softer.)
 int soft_substeps(const soft_solver *s, const soft_frame *f)
 {
-    int n = 0, most = share_of(f, f->substeps + MORE_WHEN_PRESSED);
-    int pressed = (int)real_min(f->frame * s->pace, most);
+    int n = 0;
     for (int a = 0; a < f->bodies; a++) {
         if (!body_is_soft(&f->body[a])) continue;
         int usual = is_stiff(f, a) ? f->stiff_substeps : f->substeps;
+        int pressed = (int)real_min(f->frame * s->pace,
+                                    share_of(f, usual + MORE_WHEN_PRESSED));
         if (soft_moves(f, a))
             n = int_max(n, int_max(int_max(usual, pressed),
                                    substeps_for_weight(f, a)));

@@ -54,7 +54,6 @@ static void make_contacts(int n, int points)
         contact *c = &table[k];
         if (k % 15 == 0) b = contact_with_plane(0);
         *c = (contact){ .a = a, .b = b, .count = points,
-                        .shared = (signed char)points,
                         .normal = vec3_unit(random_vec3(&seed, 1)) };
         for (int j = 0; j < points; j++) {
             c->point[j].local_a = random_vec3(&seed, 0.5);

@@ -34,7 +34,6 @@ static void tower_add(tower *t, real mass)
     *c = (contact){ .a = b, .b = b - 1, .count = CORNERS,
                     .normal = { 0, 1, 0 } };
     t->list[b] = c;
-    c->shared = CORNERS;
     for (int k = 0; k < CORNERS; k++) {
         // Bit 1 of a corner's number says that it is an upper one.
         int low = (k & 1) | (k & 2) << 1, high = low | 2;

@@ -49,7 +49,7 @@ $(SITE)/little.html: chapters/little/stages.txt $(PAGE_TOOLS)
 	$(call page,little $@)
 $(SITE)/write-%.html: exercises/%/README.md $(PAGE_TOOLS)
 	$(call page,write $@ $*)
-$(SITE)/%.html: chapters/woven/%.md $(PAGE_TOOLS)
+$(SITE)/%.html: chapters/woven/%.md tests/bits/bits.txt $(PAGE_TOOLS)
 	$(call page,page $@ $*)
 
 # No wider than twice the column for pictures: a PNG tells its width in bytes 19, 20.

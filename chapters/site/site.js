@@ -104,7 +104,8 @@ field.form.addEventListener('submit', event => {
   found.querySelector('a')?.click();
 });
 addEventListener('keydown', event => {
-  const typing = /^(INPUT|TEXTAREA|SELECT)$/.test(document.activeElement.tagName);
+  const { tagName, isContentEditable } = document.activeElement;
+  const typing = isContentEditable || /^(INPUT|TEXTAREA|SELECT)$/.test(tagName);
   if (event.key === '/' && !typing) { event.preventDefault(); field.focus(); }
   if (event.key === 'Escape') { found.hidden = true; }
   if (/^Arrow(Up|Down)$/.test(event.key) && !found.hidden && field.form.contains(document.activeElement)) {

@@ -66,14 +66,17 @@ local function place_of_file(path, line)
   if path:match('^exercises') then return 'exercises.html' end
 end
 
--- The header of an exercise, if only one has that name.
+-- The header of an exercise, if only one has that name, or this page is its; or one
+-- of the library.
 local headers = {}
+for file in io.popen('ls lib/*.h lib/*/*.h'):lines() do headers[file:match('[^/]*$')] = file end
 for file in io.popen('ls exercises/*/*.h'):lines() do
   local name = file:match('[^/]*$')
   headers[name] = headers[name] and 'two' or file
 end
 local function place_of_header(name)
-  local file = headers[name]
+  local own = written and 'exercises/' .. written .. '/' .. name
+  local file = own and io.open(own) and own or headers[name]
   return file and file ~= 'two' and place_of_file(file)
 end
 
@@ -85,7 +88,7 @@ local function place_of_words(text)
   if exercise then return place_of_exercise(exercise) end
   local stage = text:match('^make little$') and '' or text:match('^make little (%d%d%l)$')
   if stage and workshop and not whole and written ~= 'little' then return 'little.html' .. (stage ~= '' and '#' .. stage or '') end
-  if text:match('^%w+%.h$') then return place_of_header(text) end
+  if text:match('^[%w_]+%.h$') then return place_of_header(text) end
   local name = text:match('^([%a_][%w_]*)%(?%)?$')
   if name and #name > 2 then return place_of_code(name) end
 end

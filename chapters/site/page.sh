@@ -108,6 +108,8 @@ write() {
     cat "exercises/$page/README.md"
     printf '\nAt the desk this is `make exercise %s`, and [all exercises](exercises.html#%s) are on one page. It belongs to [chapter %s](%s.md).\n' \
         "$(echo "$page" | sed 's/-/\//')" "$page" "${page%%-*}" "$chapter"
+    after=$(ls exercises | grep '^0' | grep -A 1 -x "$page" | grep -vx "$page")
+    [ -z "$after" ] || printf '\nThe next is [%s](write-%s.html){.next}.\n' "$(sed -n '1s/^# //p' "exercises/$after/README.md")" "$after"
     figure=$(sed -n "s|^FIGURE_$page := \([^ ]*\) .*|\1|p" "${BUILD:-build}/workshop/parts.mk")
     [ -z "$figure" ] || { echo; grep -m 1 "^!\[.*figures/live/$figure\.webp)" "chapters/woven/$chapter.md"; }
 }

@@ -15,6 +15,7 @@ local FOLD = 32             -- lines of code that lie open; more are unfolded by
 local page, whole           -- the page's name; are all pages one?
 local exercises = {}        -- NN/name
 local written               -- the exercise that is written in this page
+local seen = 0              -- small figures so far
 local taken                 -- the anchors that stand already
 for folder in io.popen('ls exercises'):lines() do
   local number, name = folder:match('^(%d%d%l?)%-(.*)')
@@ -65,14 +66,17 @@ local function place_of_file(path, line)
   if path:match('^exercises') then return 'exercises.html' end
 end
 
--- The header of an exercise, if only one has that name.
+-- The header of an exercise, if only one has that name, or this page is its; or one
+-- of the library.
 local headers = {}
+for file in io.popen('ls lib/*.h lib/*/*.h'):lines() do headers[file:match('[^/]*$')] = file end
 for file in io.popen('ls exercises/*/*.h'):lines() do
   local name = file:match('[^/]*$')
   headers[name] = headers[name] and 'two' or file
 end
 local function place_of_header(name)
-  local file = headers[name]
+  local own = written and 'exercises/' .. written .. '/' .. name
+  local file = own and io.open(own) and own or headers[name]
   return file and file ~= 'two' and place_of_file(file)
 end
 
@@ -84,7 +88,7 @@ local function place_of_words(text)
   if exercise then return place_of_exercise(exercise) end
   local stage = text:match('^make little$') and '' or text:match('^make little (%d%d%l)$')
   if stage and workshop and not whole and written ~= 'little' then return 'little.html' .. (stage ~= '' and '#' .. stage or '') end
-  if text:match('^%w+%.h$') then return place_of_header(text) end
+  if text:match('^[%w_]+%.h$') then return place_of_header(text) end
   local name = text:match('^([%a_][%w_]*)%(?%)?$')
   if name and #name > 2 then return place_of_code(name) end
 end
@@ -260,8 +264,10 @@ local function figure_of(image)
   local is_first = image.classes:includes('first')
   local small = folder == 'live' and (is_first or image.classes:includes('small')) and not whole
   local data = small and ' class="live small" data-small="' .. name .. '" data-wants="' .. (hash_of(name) or '') .. '"' ..
-      (image.attributes.dial and ' data-dial="' .. image.attributes.dial .. '"' or '') .. (is_first and ' data-first' or '') or
+      (image.attributes.dial and ' data-dial="' .. image.attributes.dial .. '"' or '') ..
+      (image.attributes.set and ' data-set="' .. image.attributes.set .. '"' or '') .. (is_first and ' data-first' or '') or
     still and ' class="moving" data-moving="' .. path .. '"' or folder == 'live' and ' class="live" data-live="' .. name .. '" data-wants="' .. (hash_of(name) or '') .. '"' or ''
+  if small then seen = seen + 1 end
   local caption = html_of(image.caption)
   local source = path:gsub('%.%a+$', '.c')
   local program = io.open(source) and place_of_file(source)
@@ -294,7 +300,7 @@ local function figure_of(image)
   -- By itself it can be looked at as large as it is.
   if not whole and folder ~= 'live' and not still then picture = pandoc.Link({ picture }, shown) end
   return {
-    block('<figure id="' .. (small and 'see-' or 'figure-') .. name .. '"' .. data .. '>'), pandoc.Plain({ picture }),
+    block('<figure id="' .. (small and 'see-' .. seen .. '-' or 'figure-') .. name .. '"' .. data .. '>'), pandoc.Plain({ picture }),
     block('<figcaption>' .. caption .. '</figcaption></figure>'),
   }
 end

@@ -53,15 +53,25 @@ turn() {
     site --metadata description="$(about "$page") From a course and a C library of rigid bodies, cloth, rope and joints." "$@"
 }
 
-# The chapter, and where its first live figure comes late, a small one after the
-# first paragraph of its question (openings.txt: page, figure, dial, caption).
+# The chapter, and its small figures, each after the paragraph that begins so; the one
+# without such words after the first of the chapter's question (openings.txt).
 opened() {
     awk -v page="$page" -F ' *[|] *' '
-        FILENAME ~ /openings/ { if ($1 == page) { figure = $2; dial = $3; says = $4 } next }
+        function shows(k) {
+            print "![" says[k] "](../../figures/live/" figure[k] ".webp){.small" (dial[k] == "" ? "" : " dial=" dial[k]) (set[k] == "" ? "" : " set=\"" set[k] "\"") "}\n"
+        }
+        FILENAME ~ /openings/ {
+            if ($1 == page) { n++; begins[n] = $2; figure[n] = $3; dial[n] = $4; set[n] = $5; says[n] = $6 }
+            next
+        }
         { print }
-        /^## / && figure { near = 1; next }
+        /^```/ { code = !code }
+        code { next }
+        /^## / && !asked { asked = near = 1; next }
         near == 1 && /./ { near = 2; next }
-        near == 2 { print "![" says "](../../figures/live/" figure ".webp){.small" (dial == "" ? "" : " dial=" dial) "}\n"; near = 0; figure = "" }
+        near == 2 { for (k = 1; k <= n; k++) if (begins[k] == "") shows(k); near = 0 }
+        { if (after) { shows(after); after = 0 }
+          for (k = 1; k <= n; k++) if (begins[k] != "" && index($0, begins[k]) == 1) after = k }
     ' $here/openings.txt "chapters/woven/$page.md"
 }
 
@@ -71,12 +81,17 @@ tasks() {
     cat $here/exercises.md
     for one in $(pages); do
         ls exercises/"${one%%-*}"-*/README.md > "$part/of" 2> /dev/null || continue
-        printf '\n## %s\n\nThey belong to [chapter %s](%s.md).\n' "$(title "$one")" "${one%%-*}" "$one"
+        printf '\n## %s\n\n%sThey belong to [chapter %s](%s.md).\n' "$(title "$one")" "$(still "$one")" "${one%%-*}" "$one"
         while read -r task; do
             id=${task#exercises/}
             echo; sed 's/^#/###/' "$task"; where_written "${id%/README.md}"
         done < "$part/of"
     done
+}
+
+# What moves in a chapter, standing still, and the way to it.
+still() {
+    sed -n "s|^!\[.*(\.\./\.\./figures/live/\([a-z]*\)\.webp)\$|[![what moves there](figures/live/\1.webp){.thumb width=1200 height=675 loading=lazy}]($1.md#figure-\1) |p" "chapters/woven/$1.md" | head -n 1
 }
 
 # The link to where an exercise is written in the page, if it is (workshop.mk).
@@ -93,6 +108,8 @@ write() {
     cat "exercises/$page/README.md"
     printf '\nAt the desk this is `make exercise %s`, and [all exercises](exercises.html#%s) are on one page. It belongs to [chapter %s](%s.md).\n' \
         "$(echo "$page" | sed 's/-/\//')" "$page" "${page%%-*}" "$chapter"
+    after=$(ls exercises | grep '^0' | grep -A 1 -x "$page" | grep -vx "$page")
+    [ -z "$after" ] || printf '\nThe next is [%s](write-%s.html){.next}.\n' "$(sed -n '1s/^# //p' "exercises/$after/README.md")" "$after"
     figure=$(sed -n "s|^FIGURE_$page := \([^ ]*\) .*|\1|p" "${BUILD:-build}/workshop/parts.mk")
     [ -z "$figure" ] || { echo; grep -m 1 "^!\[.*figures/live/$figure\.webp)" "chapters/woven/$chapter.md"; }
 }

@@ -46,6 +46,14 @@ if (pieces.length) {
   addEventListener('beforeprint', () => unfold(true));
 }
 
+// --- exercises: those that passed in this browser ---
+for (const head of all('h3[id]')) {
+  const name = head.id.replace('-', '/');
+  let passed;
+  try { passed = localStorage.getItem(`tumble:${name}:passed`); } catch { /* nothing is kept */ }
+  if (passed) head.append(make('span', { className: 'passed', title: passed }, ' passed'));
+}
+
 // --- search ---
 const field = document.querySelector('input[type="search"]');
 const script = src => new Promise((done, failed) => document.head.append(make('script', { src, onload: done, onerror: failed })));
@@ -96,7 +104,8 @@ field.form.addEventListener('submit', event => {
   found.querySelector('a')?.click();
 });
 addEventListener('keydown', event => {
-  const typing = /^(INPUT|TEXTAREA|SELECT)$/.test(document.activeElement.tagName);
+  const { tagName, isContentEditable } = document.activeElement;
+  const typing = isContentEditable || /^(INPUT|TEXTAREA|SELECT)$/.test(tagName);
   if (event.key === '/' && !typing) { event.preventDefault(); field.focus(); }
   if (event.key === 'Escape') { found.hidden = true; }
   if (/^Arrow(Up|Down)$/.test(event.key) && !found.hidden && field.form.contains(document.activeElement)) {

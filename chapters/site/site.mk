@@ -10,7 +10,7 @@ PICTURES   := $(filter figures/%,$(wildcard figures/*/*.png figures/*/*.svg figu
 SITE_FILES := $(patsubst %.png,%.webp,$(PICTURES:%=$(SITE)/%))
 # What a caption links to: the book's code, the programs of the figures, and what
 # the exercises declare.
-SOURCES    := $(shell sh chapters/weave.sh) $(wildcard figures/[0-9]*/*.c figures/peers/*.c figures/live/*.c exercises/*/*.h)
+SOURCES    := $(sort $(shell sh chapters/weave.sh) $(wildcard figures/[0-9]*/*.c figures/peers/*.c figures/live/*.c figures/scenes/*.[ch] figures/manual/*.c exercises/*/*.h))
 SITE_CODE  := $(patsubst %,$(SITE)/source/%.html,$(subst /,-,$(SOURCES)))
 # The first frames of what moves.
 STILLS     := $(patsubst %.webp,%-still.webp,$(wildcard figures/moving/*.webp))
@@ -49,7 +49,7 @@ $(SITE)/little.html: chapters/little/stages.txt $(PAGE_TOOLS)
 	$(call page,little $@)
 $(SITE)/write-%.html: exercises/%/README.md $(PAGE_TOOLS)
 	$(call page,write $@ $*)
-$(SITE)/%.html: chapters/woven/%.md $(PAGE_TOOLS)
+$(SITE)/%.html: chapters/woven/%.md tests/bits/bits.txt $(PAGE_TOOLS)
 	$(call page,page $@ $*)
 
 # No wider than twice the column for pictures: a PNG tells its width in bytes 19, 20.

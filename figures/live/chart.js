@@ -45,6 +45,7 @@ export class Chart {
     data.push(value);
     if (data.length > FRAMES) data.shift();
   }
+  drop() { for (const data of this.data) data.pop(); }
   set(line, values) { this.data[line] = Array.from(values); }
 
   // The axis grows to hold all, and shrinks slowly.

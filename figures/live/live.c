@@ -80,6 +80,11 @@ int live_held(void)
     return hand;
 }
 
+vec3 live_touched(void)
+{
+    return hand_at;
+}
+
 vec3 live_pull(vec3 at, vec3 velocity)
 {
     const real pull = 60, brake = 12;       // 1/s^2, 1/s
@@ -378,8 +383,9 @@ void page_release(int number)
     if (figure.release) figure.release(number);
 }
 
-void page_tap(int number, double x, double y, double z)
+void page_tap(int number, double x, double y, double z, double px, double py, double pz)
 {
+    hand_at = vec3_make(px, py, pz);
     if (figure.tap) figure.tap(number, vec3_unit(vec3_make(x, y, z)));
 }
 

@@ -60,6 +60,8 @@ typedef struct {
     const char *says;           // the drawing in a sentence, for a screen reader
     const char *code;           // "lib/paper/gjk.c furthest": a file, and those of
                                 // its functions that are shown, with a line lit
+    unsigned fickle;            // bits: choices of the first dial that ask the C
+                                // library for sines, whose last digits differ
     live_pane_plan   pane[LIVE_PANES];
     live_camera_plan camera;
     live_dial_plan   dial[LIVE_DIALS];
@@ -97,6 +99,8 @@ void live_light(const char *words);
 // The hand that drags: a figure without move() of its own asks for it in step().
 // The number of what it holds; -1: nothing.
 int  live_held(void);
+// Where it is, or, in tap(), what it touched.
+vec3 live_touched(void);
 // m/s², how it pulls what it holds, which is at that place with that velocity: a
 // damped spring.
 vec3 live_pull(vec3 at, vec3 velocity);

@@ -4,6 +4,7 @@
 # A figure, and the chapter up to which it sees the library.
 define LIVES
 00/bounce
+00/dot
 00b/carts
 00b/swing
 00b/spin
@@ -18,6 +19,7 @@ define LIVES
 05/epa
 06/tree
 07/shares
+07/cone
 08/blow
 08/ruler
 09/room
@@ -29,6 +31,7 @@ define LIVES
 12/thomas
 13/pile
 13/carry
+13/top
 14/crowd
 14/prune
 15/bullet
@@ -38,16 +41,22 @@ define LIVES
 18/energy
 18/canopy
 19/topple
+19/sandbox
+20/hard
 24/halves
 endef
 # What a figure takes from other folders, beside the library.
 WITH_gjk := rules/04-distance-1.o live/plane.o
-$(foreach f,epa shares nearest slab regions clip,$(eval WITH_$f := live/plane.o))
+$(foreach f,dot epa shares nearest slab regions clip,$(eval WITH_$f := live/plane.o))
+WITH_hard := live/live_world.o live/view.o tests/hard_set.o
+WITH_sandbox := live/view.o $(SCENES:%.c=figures/%.o)
 WITH_drape := figures/runner.o tests/poses.o
 WITH_room := figures/runner.o tests/poses.o
 $(foreach f,pile carry fabric chain energy canopy,$(eval WITH_$f := live/live_world.o))
-# The first program of the book runs on a module of the next chapter.
+# The first program of the book runs on a module of the next chapter, and what turns in
+# a plane is linked with chapter 04.
 FLOOR_bounce := 01
+FLOOR_dot := 04
 
 LIVE := $(notdir $(strip $(LIVES)))
 LIVE_PROGRAMS := $(LIVE:%=$(BUILD)/live/%)

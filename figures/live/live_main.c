@@ -24,6 +24,11 @@ static int variants(void)
     return n;
 }
 
+static bool is_fickle(int k)
+{
+    return figure.fickle >> k & 1;
+}
+
 static unsigned long long hash_of_variant(int k)
 {
     page_start();
@@ -143,7 +148,8 @@ static void print_panel(void)
     print_charts();
     printf("\"wants\":[");
     for (int k = 0; k < variants(); k++)
-        printf("%s\"%016llx\"", k ? "," : "", hash_of_variant(k));
+        if (is_fickle(k)) printf("%s\"\"", k ? "," : "");
+        else              printf("%s\"%016llx\"", k ? "," : "", hash_of_variant(k));
     printf("]}\n");
 }
 
@@ -160,6 +166,6 @@ int main(int arguments, char **argument)
     int usual = figure.dial[0].choices ? (int)figure.dial[0].value : 0;
     printf("live %s %016llx\n", figure.name, hash_of_variant(usual));
     for (int k = 0; k < variants(); k++)
-        if (k != usual) printf("live %s+%d %016llx\n", figure.name, k, hash_of_variant(k));
+        if (k != usual && !is_fickle(k)) printf("live %s+%d %016llx\n", figure.name, k, hash_of_variant(k));
     return 0;
 }

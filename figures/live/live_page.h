@@ -50,7 +50,8 @@ PAGE(turn)    int  page_turn(int dial, double value);   // 1: it began again
 PAGE(press)   void page_press(int button);
 PAGE(move)    void page_move(int number, double x, double y, double z);
 PAGE(release) void page_release(int number);
-PAGE(tap)     void page_tap(int number, double x, double y, double z);
+PAGE(tap)     void page_tap(int number, double x, double y, double z, double px,
+                            double py, double pz);     // along, and where
 PAGE(paint)   void page_paint(int colour, double r, double g, double b);
 // What does a ray meet first?  Its number, or -1.
 PAGE(pick)    int  page_pick(double x, double y, double z,

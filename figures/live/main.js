@@ -1,8 +1,9 @@
 // main.js - makes the live figures of a page: <figure data-live="orbit"> gets a
 // stage, dials, charts and a foot line; its WebAssembly comes when it is near.  Of
-// <figure data-small="orbit" data-dial="0"> there is the stage, its buttons, and at
-// most that dial; with data-first it moves as soon as it can.  One without charts is
-// small as well, has its one dial, and may have the code that it runs, a line lit.
+// <figure data-small="orbit" data-dial="0" data-set="1:4"> there is the stage, its
+// buttons, and at most that dial, with dial 1 turned to 4 from the start; with data-first
+// it moves as soon as it can.  One without charts is small as well, has its one dial, and
+// may have the code that it runs, a line lit.
 
 import style from './live.css';
 import { make, dark } from './node.js';
@@ -12,6 +13,8 @@ import { makeDial, button, tool } from './dials.js';
 import { Chart } from './chart.js';
 import { Flat } from './flat.js';
 import { Code } from './code.js';
+import { Past } from './past.js';
+import { film } from './film.js';
 
 const FRAMES = 60;              // after which the hash is shown
 const NEAR = '700px';           // so far below the window a figure is made ready
@@ -33,6 +36,7 @@ const pause = ms => new Promise(done => setTimeout(done, ms));
 class Figure {
   constructor(node, panel) {
     Object.assign(this, { node, panel, frames: 0, touched: false, turned: [] });
+    this.past = new Past(this);
     this.usual = this.variant = panel.dials[0]?.choices ? panel.dials[0].value : 0;
     node.classList.add('live-figure');
     this.name = panel.name;
@@ -54,6 +58,7 @@ class Figure {
     const again = () => this.act('begin');
     const more = panel.buttons.map((name, k) => button(name, () => this.act('press', k), 'live-own'));
     const dials = panel.dials.map((dial, k) => makeDial(dial, value => this.turn(k, value)));
+    this.inputs = dials;
     this.charts = this.isSmall ? [] : panel.charts.map(plan => new Chart(this.node, plan));
     this.said = make('p', { class: 'live-said' });
     this.foot = make('p', { class: 'live-foot' });
@@ -85,10 +90,25 @@ class Figure {
       slow.setAttribute('aria-pressed', this.loop.rate !== 1);
     });
     slow.setAttribute('aria-pressed', false);
-    const all = [slow, tool('One frame', () => { this.loop.play(false); this.tick(1); })];
+    const all = [slow, tool('Back by a frame', () => this.back()), tool('One frame', () => { this.loop.play(false); this.tick(1); })];
+    if (!this.isSmall) all.push(...this.makeShared());
     if (this.isSmall) all.unshift(tool('Pause', () => this.loop.play(!this.loop.playing)), tool('Start again', again));
     if (document.fullscreenEnabled) all.push(tool('Full screen', () => document.fullscreenElement ? document.exitFullscreen() : this.node.requestFullscreen()));
     return make('div', { class: 'live-tools' }, ...all);
+  }
+
+  // What a reader has done, for others: an address in which it is done again, and a film.
+  makeShared() {
+    const share = tool('Copy an address of this', async () => {
+      const address = await this.past.address();
+      if (!address) { this.tell('too much was done for an address'); return; }
+      history.replaceState(null, '', address);
+      const copied = await navigator.clipboard?.writeText(address).then(() => true, () => false);
+      this.tell(`the address of this page says now what you did${copied ? ', and is copied' : ''}`);
+    });
+    const all = [share];
+    if (!this.isFlat && window.MediaRecorder) all.push(film(this));
+    return all;
   }
 
   async wake() {
@@ -97,10 +117,24 @@ class Figure {
     this.drawing.acted = (...what) => this.act(...what);
     this.drawing.again = () => this.draw();
     dark.addEventListener('change', () => { this.drawing.restyle(); this.draw(); });
-    if (still()) this.tick(FRAMES);
+    await this.beginAs();
+    if (still()) this.tick(FRAMES - this.frames);
     else if ('first' in this.node.dataset) await this.reach(FRAMES);
     this.node.dataset.ready = '1';
     this.loop.update();
+  }
+
+  // As the page wants it, or an address.
+  async beginAs() {
+    const { set } = this.node.dataset, [, said] = location.hash.match(RegExp(`^#${this.name}=(.+)$`)) ?? [];
+    for (const one of set?.split(' ') ?? []) this.set(...one.split(':').map(Number));
+    if (said && 'live' in this.node.dataset) await this.past.take(said).catch(() => {});
+  }
+  // A dial is turned by none of the reader's hands.
+  set(dial, value) {
+    const input = this.inputs[dial]?.querySelectorAll('input');
+    if (input?.length === 1) { input[0].value = value; input[0].dispatchEvent(new Event('input')); }
+    else if (input) { input[value].checked = true; this.turn(dial, value); }
   }
 
   // What begins under the reader's eyes goes on from its picture, which is of frame 60,
@@ -165,6 +199,8 @@ class Figure {
   }
 
   step() {
+    this.past.replay();
+    this.past.keep();
     const from = performance.now();
     this.guard(() => this.core.call('step'));
     const took = performance.now() - from;
@@ -176,6 +212,16 @@ class Figure {
     this.note();
     this.compare();
     if (this.frames === FRAMES) this.showHash(this.core);
+  }
+
+  back() {
+    this.loop.play(false);
+    if (!this.core || this.stopped || !this.past.back()) return;
+    if (this.parted > this.frames) {
+      this.parted = 0;
+      delete this.node.dataset.parted;
+    }
+    this.draw();
   }
 
   note() {
@@ -199,6 +245,7 @@ class Figure {
   // --- What the reader does -------------------------------------------------------
   restart() {
     this.frames = 0;
+    this.past.clear();
     this.slow = this.parted = 0;
     delete this.node.dataset.parted;
     this.charts.forEach(chart => chart.clear());
@@ -235,8 +282,8 @@ class Figure {
       return;
     }
     if (!this.core || this.stopped) return;
-    if (name === 'begin') this.restart();
-    else if (this.frames < FRAMES || name === 'move') this.touched = true;
+    if (name === 'begin') this.restart(); else this.past.note(name, values);
+    if (name !== 'begin' && (this.frames < FRAMES || name === 'move')) this.touched = true;
     this.both(name, ...values);
     this.redraw();
   }
@@ -245,7 +292,7 @@ class Figure {
     this.turned[dial] = value;
     if (!this.core || this.stopped) return;
     if (dial === 0 && this.panel.dials[0].choices) this.variant = value; else this.touched = true;
-    if (this.both('turn', dial, value)) this.restart();
+    if (this.both('turn', dial, value)) this.restart(); else this.past.note('turn', [dial, value]);
     this.redraw();
   }
 
@@ -266,6 +313,7 @@ class Figure {
     const wants = isUsual && this.node.dataset.wants || this.panel.wants[this.variant];
     const short = hash.slice(0, 8) + '…';
     if (this.touched) this.tell(`${short} with your settings`, hash);
+    else if (wants === '') this.tell(`${short}, on this machine: the scene asks its C library for sines, and their last digits differ`, hash);
     else if (this.parted && !isBeside) this.tell(`${short}; the first bits are other than the book’s in frame ${this.parted}. The pale one is the book’s.`, hash);
     else if (hash === wants && this.own) this.tell(`${short}: yours, bit for bit`, hash);
     else if (hash === wants) this.tell(`${short} to the last bit as on your machine`, hash);
@@ -322,6 +370,7 @@ function begin() {
   const nameOf = node => node.dataset.live ?? node.dataset.small;
   const figures = [...document.querySelectorAll('[data-live], [data-small]')].filter(node => tumble.panels?.[nameOf(node)]);
   for (const node of figures) node.live = new Figure(node, tumble.panels[nameOf(node)]);
+  const told = figures.find(node => 'live' in node.dataset && location.hash.startsWith(`#${node.dataset.live}=`));
   // What moves comes after all that is read.
   const watch = async () => {
     for (const node of figures) {
@@ -329,6 +378,7 @@ function begin() {
       layOut(node);
       near.observe(node);
     }
+    told?.scrollIntoView({ block: 'center' });
     await pause(CALM);
     // A module that does not return says so where it is seen.
     for (const node of figures) if (!('small' in node.dataset)) await node.live.prove().catch(() => {});

@@ -266,6 +266,7 @@ export class Space {
     if (number < 0) return;
     const { origin, direction } = this.ray(event), normal = this.camera.getWorldDirection(new THREE.Vector3());
     const hit = origin.clone().addScaledVector(direction, this.core.peek().hit);
+    this.held.hit = hit;
     this.held.plane = new THREE.Plane().setFromNormalAndCoplanarPoint(normal, hit);
   }
 
@@ -284,7 +285,7 @@ export class Space {
     this.held = null;
     if (!held || held.number < 0) return;
     if (held.gone > STILL) this.acted('release', held.number);
-    else if (event) this.acted('tap', held.number, ...this.ray(event).direction);
+    else if (event) this.acted('tap', held.number, ...this.ray(event).direction, ...held.hit);
   }
 
   listen() {

@@ -52,7 +52,12 @@ export async function openExercise(place) {
 
   function showPassed(told, messages) {
     kept.set(`${name}:passed`, new Date().toISOString().slice(0, 10));
-    desk.say(make('p', { className: 'workshop-good' }, `${name}: all ${told.ran} tests pass.`), ...(move ? [make('p', {}, 'Now see it move.')] : []), ...messages);
+    desk.say(make('p', { className: 'workshop-good' }, `${name}: all ${told.ran} tests pass.`), ...(move ? [make('p', {}, 'Now see it move.')] : []), ...messages, ...next());
+  }
+
+  function next() {
+    const link = document.querySelector('.task a.next');
+    return link ? [make('p', {}, 'The next exercise is ', link.cloneNode(true), '.')] : [];
   }
 
   function showFailed(told, messages) {

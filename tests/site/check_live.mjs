@@ -49,6 +49,7 @@ async function checkPage(file, names) {
     await checkCode(figure, name);
     await checkDials(page, figure, name);
     await checkAgain(figure, name);
+    await checkBack(figure, name);
   }
   check(page.errors.length === 0, `${file} has no error in its console: ${page.errors[0]}`);
   await page.close();
@@ -116,6 +117,65 @@ async function checkAgain(figure, name) {
   check(await figure.locator('.live-trap').count() === 0, `${name} that goes on says no more that it has stopped`);
   check(await figure.getAttribute('data-running') === '0', `${name} starts again, and stands at frame 60`);
   check(await look(figure) === usual, `${name} that has stopped starts again with its dials and colours`);
+}
+
+// A frame back is the frame that was, to the last bit, and so is the next one after it;
+// also over what a hand has done.
+async function checkBack(figure, name) {
+  const press = label => figure.getByRole('button', { name: label, exact: true }).press('Enter');
+  const hash = () => figure.evaluate(({ live }) => live.core.hash());
+  const seen = [await hash()];
+  for (let k = 0; k < 3; k++) {
+    if (k === 1) await figure.evaluate(({ live }) => { if (live.panel.buttons.length) live.act('press', 0); });
+    await press('One frame');
+    seen.push(await hash());
+  }
+  for (let k = 2; k >= 0; k--) {
+    await press('Back by a frame');
+    check(await hash() === seen[k] && await frames(figure) === 60 + k, `${name} goes back to frame ${60 + k}`);
+  }
+  for (let k = 1; k < 70; k++) await figure.evaluate(({ live }) => live.back());
+  check(await frames(figure) === 0, `${name} goes back to its beginning, not to frame ${await frames(figure)}`);
+}
+
+// What was done is in an address, and is done again where that is opened.
+async function checkAddress(file, name, dial) {
+  const page = await open(file, { reducedMotion: 'reduce' });
+  const figure = page.locator(`[data-live="${name}"]`);
+  await figure.evaluate(node => node.scrollIntoView({ block: 'center' }));
+  await settled(page, name);
+  await figure.evaluate(({ live }, [dial, value]) => {
+    live.set(dial, value);
+    live.act('begin');
+    live.tick(5);
+    live.act('press', 0);
+    live.tick(25);
+  }, dial);
+  await figure.getByRole('button', { name: 'Copy an address of this' }).press('Enter');
+  await page.waitForFunction(name => location.hash.startsWith(`#${name}=`), name, WAIT);
+  const wanted = await figure.evaluate(({ live }) => [live.frames, live.core.hash()]), address = page.url();
+  const other = await open(file, { reducedMotion: 'reduce' });
+  await other.goto('about:blank');
+  await other.goto(address);
+  await other.waitForSelector(`[data-live="${name}"][data-ready]`, WAIT);
+  const found = await other.locator(`[data-live="${name}"]`).evaluate(({ live }, frames) => { live.tick(Math.max(0, frames - live.frames)); return [live.frames, live.core.hash()]; }, wanted[0]);
+  check(found.join() === wanted.join(), `${name}: an address does again what was done: ${wanted} and ${found}`);
+  await page.close();
+  await other.close();
+}
+
+// A film is made from one press to the next.
+async function checkFilm(file, name) {
+  const page = await open(file);
+  const figure = page.locator(`[data-live="${name}"]`);
+  await figure.evaluate(node => node.scrollIntoView({ block: 'center' }));
+  await settled(page, name);
+  await figure.getByRole('button', { name: 'Make a film' }).press('Enter');
+  await page.waitForTimeout(2000);
+  const [film] = await Promise.all([page.waitForEvent('download', WAIT), figure.getByRole('button', { name: 'Save the film' }).press('Enter')]);
+  const size = readFileSync(await film.path()).length;
+  check(film.suggestedFilename() === `${name}.webm` && size > 2000, `${name} is filmed: ${film.suggestedFilename()}, ${size} bytes`);
+  await page.close();
 }
 
 // --- Motion: only what is seen runs ---------------------------------------------
@@ -255,6 +315,9 @@ if (!some.length) {
   await checkRelease(`${site}/00-start.html`);
   await checkTouch(`${site}/03-body.html`);
   await checkDrag(`${site}/01-verlet.html`);
+  await checkAddress(`${site}/18-world.html`, 'energy', [2, 0.8]);
+  await checkAddress(`${site}/19-library.html`, 'sandbox', [2, 4]);
+  await checkFilm(`${site}/19-library.html`, 'sandbox');
 }
 
 // --- Modules of the reader's own ------------------------------------------------

@@ -1,7 +1,8 @@
 // check_look.mjs - what a reader meets first: the first page moves, each chapter has a
 // live figure within two screens, what is touched is large enough for a finger, on a
 // phone a stage stays in view while a dial turns, and a page says what it is about to
-// whoever passes it on:   node check_look.mjs BUILD
+// whoever passes it on; each chapter has several figures, each beside its sentence:
+//     node check_look.mjs BUILD
 
 import { readFileSync, readdirSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
@@ -11,6 +12,7 @@ import { launch } from './browser.mjs';
 const build = resolve(process.argv[2]), site = `${build}/site`;
 const WIDE = { width: 1300, height: 900 }, PHONE = { width: 390, height: 844 };
 const SCREENS = 2;              // within so many stands the first live figure
+const FIGURES = 3;              // of a chapter, at least
 const FINGER = 44;              // px, each way
 const LAST = 21;                // chapters after it are lists and appendices
 const WAIT = { timeout: 120e3 };
@@ -32,6 +34,8 @@ async function open(name, options) {
   await page.addStyleTag({ content: '* { content-visibility: visible !important }' });
   return page;
 }
+const openings = readFileSync('chapters/site/openings.txt', 'utf8').trim().split('\n').filter(line => !line.startsWith('#')).map(line => line.split(/ *\| */));
+let figures = 0;
 const names = readdirSync(site).filter(name => name.endsWith('.html'));
 const chapters = names.filter(name => /^\d\d/.test(name) && +name.slice(0, 2) <= LAST);
 
@@ -55,6 +59,11 @@ for (const name of chapters) {
   });
   check(at < SCREENS, `${name} has a live figure within ${SCREENS} screens: it is at ${at.toFixed(1)}`);
   console.log(`${name.padEnd(22)} ${at.toFixed(1)} screens`);
+  const count = await page.locator('[data-live], [data-small]').count();
+  check(count >= FIGURES, `${name} has ${FIGURES} figures that move: ${count}`);
+  figures += count;
+  const placed = await page.locator('[data-small]').count(), listed = openings.filter(line => `${line[0]}.html` === name).length;
+  check(placed === listed, `${name} has all of its small figures (openings.txt): ${placed} of ${listed}`);
   // One idea each: what has no chart has one dial at most.
   const many = await page.evaluate(() => [...document.querySelectorAll('.live-small')]
     .filter(figure => figure.querySelectorAll('.live-dial, .live-choice').length > 1).map(figure => figure.id));
@@ -81,25 +90,31 @@ for (const name of chapters) {
 }
 
 // --- Small figures --------------------------------------------------------------------
-const settled = (page, where) => page.waitForSelector(`${where}:is([data-ready][data-hash], [data-trapped], [data-failed])`, WAIT);
+// One that is turned from the start has no hash of its own.
+const settled = node => node.elementHandle().then(handle => node.page().waitForFunction(({ dataset }) => dataset.ready && (dataset.hash || dataset.set) || dataset.trapped || dataset.failed, handle, WAIT));
 for (const name of ['index.html', ...chapters]) {
   const page = await open(name, { viewport: WIDE, reducedMotion: 'reduce' });
-  const figure = page.locator('[data-small]');
-  if (await figure.count()) {
+  for (const figure of await page.locator('[data-small]').all()) {
     await figure.evaluate(node => node.scrollIntoView({ block: 'center' }));
-    await settled(page, '[data-small]');
-    const { hash, wants, small } = await figure.evaluate(node => ({ ...node.dataset }));
-    check(hash === wants, `${name}: ${small} has the native hash ${wants}, not ${hash}`);
+    await settled(figure);
+    const { hash, wants, small, set, trapped, failed } = await figure.evaluate(node => ({ ...node.dataset }));
+    check(!trapped && !failed, `${name}: ${small} moves: ${trapped ?? failed}`);
+    check(set || hash === wants, `${name}: ${small} has the native hash ${wants}, not ${hash}`);
     check(await figure.locator('.live-dial, .live-choice').count() <= 1, `${name}: ${small} has one dial at most`);
-    check(page.errors.length === 0, `${name} has no error in its console: ${page.errors[0]}`);
+    const stands = await figure.evaluate(({ dataset, live }) => dataset.set?.split(' ').every(one => {
+      const [dial, value] = one.split(':').map(Number), plan = live.panel.dials[dial];
+      return plan && live.turned[dial] === value && (plan.choices ? value < plan.choices.split('|').length : value >= plan.least && value <= plan.most);
+    }) ?? true);
+    check(stands, `${name}: ${small} is turned to ${set} from the start`);
   }
+  check(page.errors.length === 0, `${name} has no error in its console: ${page.errors[0]}`);
   await page.close();
 }
 
 // --- The first page -------------------------------------------------------------------
 {
   const page = await open('index.html', { viewport: WIDE });
-  const figure = page.locator('[data-small]'), frames = () => figure.evaluate(node => node.live.frames);
+  const figure = page.locator('[data-first]'), frames = () => figure.evaluate(node => node.live.frames);
   check(await figure.evaluate(node => node.getBoundingClientRect().top) < 200, 'the first page begins with what moves');
   check(await page.locator('.begin').evaluate(node => node.getBoundingClientRect().bottom < innerHeight), 'and its button is in the first screen');
   await page.waitForSelector('[data-small][data-ready]', WAIT);
@@ -130,5 +145,6 @@ for (const name of ['index.html', ...chapters]) {
 }
 
 await browser.close();
+console.log(`look: ${figures} figures in ${chapters.length} chapters`);
 console.log(`look: ${checks} checks, ${faults} faults`);
 process.exit(faults ? 1 : 0);

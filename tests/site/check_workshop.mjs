@@ -185,8 +185,11 @@ async function checkReader() {
   await page.click('text=Hint 1 of 3');
   check(/Write the step first/.test(await said(page)), 'the first hint is told');
 
-  // By keys alone: Ctrl-Enter in the editor judges.
+  // By keys alone: what is typed is in the file, and Ctrl-Enter in the editor judges.
   await page.focus('.cm-content');
+  await page.keyboard.press('Control+End');
+  await page.keyboard.type('// a / b');
+  check((await text()).endsWith('// a / b'), `what is typed is in the file, a slash as well: ${(await text()).slice(-20)}`);
   await page.keyboard.press('Control+Enter');
   await page.waitForFunction(() => !document.querySelector('.workshop-act').disabled, null, WAIT);
   check(/all 24 tests pass/.test(await said(page)), 'Ctrl-Enter judges what was written');

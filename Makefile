@@ -34,7 +34,7 @@ define ORDER
 12/taut
 12/line
 12/bend
-13/angle
+13/arctan
 13/rigid4
 13/weight
 13/rounding

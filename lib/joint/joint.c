@@ -2,7 +2,7 @@
 //>   A plan is checked before anything is changed, and a refusal is a sentence
 //>   that names the number.
 #include "joint.h"
-#include "angle.h"
+#include "arctan.h"
 #include "inline.h"
 
 #include <stddef.h>

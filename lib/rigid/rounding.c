@@ -2,7 +2,7 @@
 //>   Steiner cut such a body into the core, a slab over each face, a part of a
 //>   cylinder along each edge, and a part of a ball at each corner.
 #include "rounding.h"
-#include "angle.h"
+#include "arctan.h"
 
 #include "gjk.h"
 #include "hull.h"

@@ -1,11 +1,11 @@
-//> angle
+//> arctan
 //>   Angles of vectors, with the same last digits on every machine.
-// angle.h - the angle of a vector in a plane.
+// arctan.h - the angle of a vector in a plane.
 //
 // Paper: not in it.  Book: chapter 13.  Units: radians.
 
-#ifndef TUMBLE_ANGLE_H
-#define TUMBLE_ANGLE_H
+#ifndef TUMBLE_ARCTAN_H
+#define TUMBLE_ARCTAN_H
 
 #include "vec3.h"
 

@@ -758,6 +758,7 @@ void cache_again(contact_cache *c, const cache_frame *f, int k)
     if (b >= 0 && is_through(c->active[k], &was)) {
         *c->active[k] = was;
         p->count = (signed char)was.count;
+        p->seen[0] = -1;                    // it is kept for this frame only
     }
     c->reach[k] = reach_of(f, a, b);
 }

@@ -343,6 +343,38 @@ START_TEST(bullet_that_passes_by_touches_nothing)
 }
 END_TEST
 
+// A bullet that is through between two substeps is asked again from the far side:
+// its contact stays as it was, and only for this frame.
+// Rejects: a contact that lets go of what is through, or that pushes it out on
+// the far side; one that outlives its frame.
+START_TEST(bullet_that_is_through_comes_back_within_its_frame)
+{
+    int ball = add(BALL, vec3_make(0.2, 2, 0.1), 0);
+    int slab = add(SLAB, vec3_make(0, 0, 0), 0);
+    moves[slab] = 0;
+    ahead[ball] = (prediction){ .way = { 0, -5, 0 }, .turn = 0.01,
+                                .reach = 5.01 };
+    list_pair(ball, slab);
+    begin();
+    update();
+    const contact was = *contact_of(ball, slab);
+    ck_assert(was.is_ahead && was.count > 0);
+    // Inside of it, nearer to the far side, and past it.
+    const real height[2] = { -0.4, -3 };
+    ahead[ball] = (prediction){ .turn = 0.01, .reach = 0.01 };
+    for (int k = 0; k < 2; k++) {
+        stand(ball, vec3_make(0.2, height[k], 0.1));
+        turn_none();
+        cache_again(&cache, &frame, 0);
+        const contact *c = contact_of(ball, slab);
+        ck_assert_int_eq(c->count, was.count);
+        ck_assert(vec3_dot(c->normal, was.normal) > 0);
+    }
+    update();
+    ck_assert_int_eq(cache.actives, 0);
+}
+END_TEST
+
 // --- what is kept ------------------------------------------------------------
 
 // A box and a slab of radius R and S stay where they are while none goes
@@ -767,6 +799,7 @@ int main(void)
         drum_stands_on_points_all_around_its_rim,
         bullet_touches_as_it_will_first,
         bullet_that_passes_by_touches_nothing,
+        bullet_that_is_through_comes_back_within_its_frame,
         bodies_that_stay_are_not_asked_again,
         body_that_turns_on_few_corners_is_asked_again,
         pair_that_is_listed_no_more_gives_its_entry_back,

@@ -201,19 +201,11 @@ static void calm(particle *p, const line_hold *h)
         p->previous = vec3_add_scaled(p->previous, up, h->normal);
 }
 
-// A pin, a nail, or what it hangs on.
-static bool is_pinned(const shape *plan, const particle *p)
-{
-    bool some = false;
-    for (int i = 0; i < plan->particles; i++) some |= !(p[i].inverse_mass > 0);
-    return some;
-}
-
 // Between pins a sheet may be taut, and threads that give by nothing would pull
 // without a bound, and never rest.  Those of cloth give a little.
-static real compliance_of(const body *b, const particle *p)
+static real compliance_of(const body *b, bool is_held)
 {
-    return b->compliance > 0 || !is_pinned(b->shape, p) ? b->compliance : b->taut;
+    return b->compliance > 0 || !is_held ? b->compliance : b->taut;
 }
 
 // Cloth is solved along its links as they lie now: what a row has done does not
@@ -233,15 +225,16 @@ static void relax_body(soft_solver *s, const soft_frame *f, const body *b)
     particle *p = f->particle + b->first;
     line_hold *hold = f->hold + b->first;
     int links = shape_links(plan);
+    bool is_held = s->held[b - f->body];
     relax_options o = options_of(f, plan);
-    line_result l = lines_relax(plan, p, f->iterations, o, hold,
-                                compliance_of(b, p) / (f->h * f->h), b->line);
+    real give = compliance_of(b, is_held) / (f->h * f->h);
+    line_result l = lines_relax(plan, p, f->iterations, o, hold, give, b->line);
     for (int i = 0; i < plan->particles; i++) calm(&p[i], &hold[i]);
     s->tested += l.steps * links;
     s->relaxed += l.steps * links;
     s->fell_back += l.fell_back;
     bool is_strained = l.worst > STRAINED && l.worst < HUGE_VAL;
-    if (is_strained || (shape_directions(plan) > 1 && is_pinned(plan, p)))
+    if (is_strained || (shape_directions(plan) > 1 && is_held))
         s->pressed = HUGE_VAL;
 }
 
@@ -336,13 +329,25 @@ static void choose_pace(soft_solver *s)
     s->pressed = 0;
 }
 
+static bool is_nailed(const soft_frame *f, const body *b)
+{
+    const particle *p = f->particle + b->first;
+    bool some = false;
+    for (int i = 0; i < body_particles(b); i++)
+        some |= !(p[i].inverse_mass > 0);
+    return some;
+}
+
 void soft_begin(soft_solver *s, const soft_frame *f)
 {
     choose_pace(s);
     s->touching = s->fell_back = 0;
     s->tested = s->relaxed = 0;
-    for (int b = 0; b < f->bodies; b++)
-        s->ahead[b] = body_is_soft(&f->body[b]) ? predict(f, b) : f->ahead[b];
+    for (int b = 0; b < f->bodies; b++) {
+        bool is_soft = body_is_soft(&f->body[b]);
+        s->ahead[b] = is_soft ? predict(f, b) : f->ahead[b];
+        s->held[b] |= is_soft && is_nailed(f, &f->body[b]);
+    }
     near_begin(&s->near, f, s->ahead);
     if (f->certified) certificate_begin(&s->proof, f);
 }
@@ -448,11 +453,9 @@ static int share_of(const soft_frame *f, int substeps)
 }
 
 // Rope, and a sheet that pins may hold taut.
-static bool is_stiff(const soft_frame *f, int a)
+static bool is_stiff(const soft_solver *s, const soft_frame *f, int a)
 {
-    const body *x = &f->body[a];
-    return x->shape->kind == SHAPE_ROPE
-        || is_pinned(x->shape, f->particle + x->first);
+    return f->body[a].shape->kind == SHAPE_ROPE || s->held[a];
 }
 
 // The strands of a deformable body count on all of the usual substeps, and on a
@@ -464,7 +467,7 @@ int soft_substeps(const soft_solver *s, const soft_frame *f)
     int n = 0;
     for (int a = 0; a < f->bodies; a++) {
         if (!body_is_soft(&f->body[a])) continue;
-        int usual = is_stiff(f, a) ? f->stiff_substeps : f->substeps;
+        int usual = is_stiff(s, f, a) ? f->stiff_substeps : f->substeps;
         int pressed = (int)real_min(f->frame * s->pace,
                                     share_of(f, usual + MORE_WHEN_PRESSED));
         if (soft_moves(f, a))
@@ -486,6 +489,7 @@ static bool make_room(soft_solver *s, const body *b, int bodies, int particles)
     int rows = table_room(bend_rows(b->shape), s->rows);
     bool ok = true;
     if (room > s->bodies) TABLE_GROW(ok, s->ahead, s->bodies, room);
+    if (ok && room > s->bodies) TABLE_GROW(ok, s->held, s->bodies, room);
     if (ok) s->bodies = room;
     if (particle_room > s->particles)
         TABLE_GROW(ok, s->hold, s->particles, particle_room);
@@ -539,6 +543,7 @@ void soft_free(soft_solver *s)
     certificate_free(&s->proof);
     rigid_view_free(&s->view);
     free(s->ahead);
+    free(s->held);
     free(s->hold);
     free(s->bends);
     *s = (soft_solver){ .touching = 0 };

@@ -19,6 +19,7 @@ typedef struct {
     certificate proof;
     rigid_view view;
     prediction *ahead;  // [bodies] how each may move in this frame
+    bool *held;         // [bodies] by nails, or by what it hangs on
     line_hold *hold;    // [particles] what each touches that does not move
     bend_row *bends;    // [rows] of the longest strand
     int  bodies, particles, rows;       // for so many there is room
@@ -49,7 +50,7 @@ void soft_forget(soft_solver *s, int b);
 void soft_remove(soft_solver *s, const body *all, int b, int bodies);
 
 // A frame begins, and rigid bodies have been looked at: where are deformable
-// ones, and how may they move?
+// ones, and how may they move?  held says which hang on something.
 void soft_begin(soft_solver *s, const soft_frame *f);
 
 // Does the deformable body a keep its distance from the rigid body b, as a frame

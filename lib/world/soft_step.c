@@ -43,10 +43,21 @@ static void forget_ties(world *w)
     }
 }
 
+static void find_hung(world *w)
+{
+    bool *held = w->soft.held;
+    for (int b = 0; b < w->bodies; b++) held[b] = false;
+    for (int k = 0; k < w->joints.count; k++) {
+        const joint *j = &w->joints.joint[k];
+        if (j->kind == JOINT_PIN && !j->is_broken) held[j->a] = true;
+    }
+}
+
 bool soft_wake(world *w)
 {
     bool woke = false;
     forget_ties(w);
+    find_hung(w);
     soft_frame f = soft_frame_of(w, w->age);
     soft_begin(&w->soft, &f);
     for (int a = 0; a < w->bodies; a++) {

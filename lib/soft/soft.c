@@ -82,7 +82,7 @@ static void spread_cells(const soft_frame *f, int number)
         }
 }
 
-// A cloth takes up to so many substeps more than usual for itself.
+// A cloth takes up to so many substeps more than the world's for itself.
 enum { MORE_WHEN_PRESSED = 9 };             // tuned, substeps
 
 // A stick that corrects a share of its error in each substep is a spring that
@@ -468,8 +468,8 @@ int soft_substeps(const soft_solver *s, const soft_frame *f)
     for (int a = 0; a < f->bodies; a++) {
         if (!body_is_soft(&f->body[a])) continue;
         int usual = is_stiff(s, f, a) ? f->stiff_substeps : f->substeps;
-        int pressed = (int)real_min(f->frame * s->pace,
-                                    share_of(f, usual + MORE_WHEN_PRESSED));
+        int most = share_of(f, f->substeps + MORE_WHEN_PRESSED);
+        int pressed = (int)real_min(f->frame * s->pace, most);
         if (soft_moves(f, a))
             n = int_max(n, int_max(int_max(usual, pressed),
                                    substeps_for_weight(f, a)));

@@ -1230,6 +1230,21 @@ START_TEST(parts_of_a_frame_share_its_substeps)
 }
 END_TEST
 
+// Nine more than the world's four.  Rejects: nine more than what is usual beside
+// what moves, which is eight.
+START_TEST(a_pinned_cloth_takes_thirteen_substeps)
+{
+    world_options o = world_options_default();
+    o.gravity = ZERO;
+    begin(o);
+    world_pin(&w, add_at(&cloth, 0, 0, 0), 0);
+    w.frame = o.dt;
+    probe_press(&w, HUGE_VAL);
+    soft_wake(&w);
+    ck_assert_int_eq(soft_need(&w), 13);
+}
+END_TEST
+
 // Rejects: a rule for weight that forgets the spacing, or a load; layers that ask for no
 // substeps, or without bound; a number that falls at once, or never.
 START_TEST(weight_and_layers_take_more_substeps)
@@ -1613,6 +1628,7 @@ int main(void)
         weight_and_layers_take_more_substeps,
         diagonals_are_no_stiffer_in_short_substeps,
         parts_of_a_frame_share_its_substeps,
+        a_pinned_cloth_takes_thirteen_substeps,
         substeps_are_as_many_as_what_comes_near_needs,
         parabola_is_exact_when_the_substep_changes,
         what_is_stretched_by_a_hundredth_is_counted,

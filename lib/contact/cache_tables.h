@@ -135,7 +135,8 @@ typedef struct {
     long queries;       // asked in this frame
     long found;         // contacts, ever
     int  lost;          // contacts that found no memory
-    int  fast;          // contacts of bodies that meet later in the frame
+    real fast;          // by so many of its inner radii flies what meets later
+                        // in the frame, at most
 } contact_cache;
 //<
 

@@ -166,9 +166,9 @@ static const rigid_frame *frame_of(const linkage_pass *q, int b)
     return b < 0 ? &JOINT_WORLD : &q->f->body[b].frame;
 }
 
-// A body that has been displaced, too, goes on for h (s).  Every impulse that it
-// got in this substep acts from its begin: so what joints give is a step of its
-// own motion, and takes no energy.
+// A body that has been displaced, too, goes on for h (s).  Every impulse that
+// it got in this substep acts from its begin: so what joints give is a step of
+// its own motion, and takes no energy.
 static void go_on(solver_body *x, motion *u, const motion *moved, real h)
 {
     motion d;

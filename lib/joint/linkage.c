@@ -148,8 +148,7 @@ int linkage_drop_pairs(linkage *l, int (*pair)[2], int n)
 
 //> linkage-sides
 //>   Where do bodies stand now, and where will they be at the end of the
-//>   substep? Where they freely come (chapter 18 has computed it), and further
-//>   by what joints and contacts have given them.
+//>   substep? Where they freely come with the velocity that they have by now.
 static const motion_basis IMMOVABLE = { .inverse_mass = 0 };
 
 static const motion_basis *basis_of(const solver_frame *f, int b)
@@ -167,34 +166,42 @@ static const rigid_frame *frame_of(const linkage_pass *q, int b)
     return b < 0 ? &JOINT_WORLD : &q->f->body[b].frame;
 }
 
+// A body that has been displaced, too, goes on for h (s).  Every impulse that
+// it got in this substep acts from its begin: so what joints give is a step of
+// its own motion, and takes no energy.
+static void go_on(solver_body *x, motion *u, const motion *moved, real h)
+{
+    motion d;
+    if (motion_is_some(moved)) motion_displace(&x->frame, &x->basis, u, moved);
+    for (int i = 0; i < MOTIONS; i++) d.of[i] = h * u->of[i];
+    if (x->is_driven) x->frame = motion_frame(&x->frame, &x->basis, &d);
+    else              motion_advance(&x->frame, &x->basis, u, h);
+}
+
 // Is it where it was when this was last asked?
 static bool find_end(linkage *l, const linkage_pass *q, int b)
 {
     if (!moves(q->f, b)) return true;
     linkage_body *x = &l->body[b];
-    const real *now = q->velocity[b].of, *then = q->free[b].of;
-    if (x->has_end && memcmp(x->last, now, sizeof x->last) == 0) return true;
+    const motion *now = &q->velocity[b];
+    if (x->has_end && memcmp(&x->last, now, sizeof x->last) == 0) return true;
     x->has_end = true;
-    memcpy(x->last, now, sizeof x->last);
-    x->end = q->ahead[b];
-    if (memcmp(then, now, sizeof x->last) == 0) return false;
-    motion more;
-    for (int i = 0; i < MOTIONS; i++)
-        more.of[i] = q->f->h * (now[i] - then[i]);
-    x->end = motion_frame(&q->ahead[b], basis_of(q->f, b), &more);
+    x->last = x->go = *now;
+    x->end = q->f->body[b];
+    go_on(&x->end, &x->go, &q->moved[b], q->f->h);
     return false;
 }
 
-const rigid_frame *linkage_end(linkage *l, const linkage_pass *q, int b)
+void linkage_go(linkage *l, const linkage_pass *q, int b, solver_body *now)
 {
     find_end(l, q, b);
-    return &l->body[b].end;
+    *now = l->body[b].end;
+    q->velocity[b] = l->body[b].go;
 }
-
 
 static const rigid_frame *end_of(const linkage *l, const linkage_pass *q, int b)
 {
-    return moves(q->f, b) ? &l->body[b].end : frame_of(q, b);
+    return moves(q->f, b) ? &l->body[b].end.frame : frame_of(q, b);
 }
 //<
 
@@ -1130,9 +1137,9 @@ static real force_of(const joint *j, const joint_rows *r, real h)
 
 // A substep turns a body by 0.075 rad (FOLLOWED / TURNED, substeps.c): how fast it
 // turns, and would swing under its own weight, decides how exact its orbit is.  With
-// this 10 of 84 tops and 13 of 27 thrown linkages (chapter 20, cases 160 and 169)
-// change their energy by more than a thousandth, with three quarters of it 13 and
-// 16.
+// this 5 of 27 thrown linkages (chapter 20, case 169) change their energy by more
+// than a thousandth, with three quarters of it 10, and 4 of 36 conical pendulums
+// (case 163) go round too fast.
 static const real TURNED = 8;               // tuned, 1
 
 // rad^2/s^2

@@ -26,8 +26,8 @@ typedef struct {
                                     // one over its mass, in all directions
     real speed[MOTIONS];    // the change of its velocity, and the impulses,
     real impulse[MOTIONS];  // while its tree is solved
-    rigid_frame end;        // where it will be at the end of the substep, if
-    real last[MOTIONS];     // it goes like this, and
+    solver_body end;        // how it will stand and go at the end of the
+    motion go, last;        // substep, if it goes like this now, and
     bool has_end;           // that was asked in this substep
     int  group;             // union-find: a body of its tree
     int  first;             // of that body: the first joint of the tree
@@ -102,16 +102,11 @@ static inline bool linkage_has(const linkage *l, int b)
 int linkage_drop_pairs(linkage *l, int (*pair)[2], int n);
 
 // The impulses of the joints in a frame, and in each of its substeps.
-// velocity is as solver.h has it.
-//
-// Where will a body be at the end of the substep?  With its velocity `free` it
-// comes to where `ahead` says; what it has more than that moves it further, as a
-// straight line and a rotation: the rows of the joints say how far.
+// velocity and moved are as solver.h has them.
 typedef struct {
     const solver_frame *f;
     motion *velocity;
-    const motion *free;                 // [bodies]
-    const rigid_frame *ahead;           // [bodies] those that are joined
+    const motion *moved;
     const char *rung;                   // [bodies] the joints of those with
     char of;                            // rung[b] == of; NULL: all
 } linkage_pass;
@@ -140,8 +135,8 @@ void linkage_begin(linkage *l, const linkage_pass *q);
 // more after them, so that an impact does not pull a joint apart;
 void linkage_push(linkage *l, const linkage_pass *q);
 
-// says where a joined body goes;
-const rigid_frame *linkage_end(linkage *l, const linkage_pass *q, int b);
+// puts a joined body where it goes;
+void linkage_go(linkage *l, const linkage_pass *q, int b, solver_body *now);
 
 // after the bodies have moved: the rows for where they stand now; takes back
 // the speed by which errors went; and breaks what had to bear too much.

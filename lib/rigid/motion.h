@@ -13,6 +13,7 @@
 #include "rigid4.h"
 
 #include <stdalign.h>
+#include <stdbool.h>
 
 enum { TURNS = 3 };
 
@@ -104,6 +105,13 @@ static inline real motion_answer(real sum, const motion_basis *basis,
 static inline void motion_add(motion *m, const motion *more)
 {
     for (int i = 0; i < MOTIONS; i++) m->of[i] += more->of[i];
+}
+
+static inline bool motion_is_some(const motion *m)
+{
+    bool some = false;
+    for (int i = 0; i < MOTIONS; i++) some |= m->of[i] != 0;
+    return some;
 }
 
 // m/s: no point within radius (m) of the centre is faster.

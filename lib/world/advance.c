@@ -76,19 +76,12 @@ static bool is_within(const solver_body *now, const motion *d, real margin)
         && vec3_length_squared(turn) <= margin * margin;
 }
 
-static bool is_displaced(const motion *d)
-{
-    bool some = false;
-    for (int i = 0; i < MOTIONS; i++) some |= d->of[i] != 0;
-    return some;
-}
-
 // A body that is displaced, too, gets a frame for it.  Was it?
 static bool displace(world *w, int b)
 {
     rigid_tables *t = &w->rigid;
     solver_body *now = &t->now[b];
-    if (!is_displaced(&t->moved[b])) return false;
+    if (!motion_is_some(&t->moved[b])) return false;
     motion_displace(&now->frame, &now->basis, &t->velocity[b], &t->moved[b]);
     t->moved[b] = (motion){ { 0 } };
     return true;
@@ -109,8 +102,8 @@ void advance_struck(world *w)
 //<
 
 //> advance-joined
-//>   What is joined is sent ahead as it would freely go. Joints correct that
-//>   place (chapter 17), and there it is put.
+//>   What is joined is put where its joints have found that it comes (chapter
+//>   17).
 static rigid_frame moved_by(const solver_body *now, const motion *u, real h)
 {
     motion d;
@@ -118,42 +111,16 @@ static rigid_frame moved_by(const solver_body *now, const motion *u, real h)
     return motion_frame(&now->frame, &now->basis, &d);
 }
 
-// Where a body that is displaced, and goes as it goes, comes in h (s).
-static void predict(world *w, int b, real h)
-{
-    rigid_tables *t = &w->rigid;
-    solver_body to = t->now[b];
-    motion u = t->free[b] = t->velocity[b];
-    if (is_displaced(&t->moved[b]))
-        motion_displace(&to.frame, &to.basis, &u, &t->moved[b]);
-    if (to.is_driven)   to.frame = moved_by(&to, &u, h);
-    else                motion_advance(&to.frame, &to.basis, &u, h);
-    t->free_end[b] = to.frame;
-}
-
-void advance_predict(world *w, real h)
-{
-    const rigid_tables *t = &w->rigid;
-    for (int k = 0; k < t->awakes && w->joints.count > 0; k++) {
-        int b = t->awake[k];
-        if (t->moves[b] && linkage_has(&w->joints, b)) predict(w, b, h);
-    }
-}
-
-// Where it was predicted to come, and further by what it has been given since.
+// Where its joints have found that it comes.
 static void advance_joined(world *w, int b, real h)
 {
     rigid_tables *t = &w->rigid;
     solver_body *now = &t->now[b];
-    motion *u = &t->velocity[b];
-    vec3 angular = motion_angular(&now->basis, u);
-    if (t->going[b] == GOES_BY_HALVES) t->middle[b] = moved_by(now, u, h / 2);
+    if (t->going[b] == GOES_BY_HALVES)
+        t->middle[b] = moved_by(now, &t->velocity[b], h / 2);
     solver_frame f = { .body = t->now, .h = h };
     linkage_pass q = join_pass(w, &f);
-    now->frame = *linkage_end(&w->joints, &q, b);
-    now->basis = basis_find(w->body[b].rigid, &now->frame);
-    for (int i = 0; i < TURNS; i++)
-        u->of[MOTION_TURN + i] = vec3_dot(now->basis.turn[i], angular);
+    linkage_go(&w->joints, &q, b, now);
     t->moved[b] = (motion){ { 0 } };
 }
 

@@ -22,10 +22,6 @@ void advance_begin(world *w);
 // and rigid.fresh says which.
 void advance_struck(world *w);
 
-// Where what is joined would come in a substep of h (s) as fast as it is now: in
-// rigid.free_end.  The joints correct that.
-void advance_predict(world *w, real h);
-
 // A substep of h (s): all bodies go on as fast as they are.  rigid.fresh says
 // which have a new frame and basis, and rigid.middle where all were halfway.
 void advance_bodies(world *w, real h);

@@ -250,8 +250,7 @@ real world_joint_place(const world *w, int number)
 linkage_pass join_pass(world *w, const solver_frame *f)
 {
     rigid_tables *t = &w->rigid;
-    return (linkage_pass){ f, t->velocity, t->free, t->free_end, t->rung,
-                           t->on_rung };
+    return (linkage_pass){ f, t->velocity, t->moved, t->rung, t->on_rung };
 }
 
 void join_begin(world *w, const solver_frame *f)

@@ -617,7 +617,6 @@ static void substep(world *w, const solver_frame *f, real *since)
     bounce(w, f);
     solver_warm(&t->solver, f, t->velocity);
     if (r->hangs) linkage_begin(&w->joints, &joints);
-    advance_predict(w, f->h);
     if (r->hangs) linkage_push(&w->joints, &joints);
     solver_push(&t->solver, f, t->velocity, t->moved);
     if (r->hangs) linkage_push(&w->joints, &joints);

@@ -229,8 +229,6 @@ typedef struct {
     solver_body *now_then;  // [bodies] before this substep, which may have to be
     motion *velocity_then, *moved_then;         // done again
     char        *held;      // [bodies] by contacts or joints, in the last substep
-    motion      *free;      // [bodies] of what is joined: see linkage_pass
-    rigid_frame *free_end;
     body_load   *load;      // [bodies]
     bool is_loaded;         // some are not 0
     material    *material;  // [bodies] deformable ones, too
@@ -262,7 +260,7 @@ typedef struct {
     FILLED(moves) FILLED(island) FILLED(by_rung) FILLED(asked) FILLED(middle) \
     FILLED(turned) FILLED(lying) FILLED(began) FILLED(awake) FILLED(fresh)    \
     FILLED(going) FILLED(touches) FILLED(now_then) FILLED(velocity_then)      \
-    FILLED(moved_then) FILLED(free) FILLED(free_end)
+    FILLED(moved_then)
 //<
 
 //> world-struct

@@ -144,6 +144,24 @@ START_TEST(swing_keeps_its_height)
 }
 END_TEST
 
+START_TEST(brick_that_tumbles_about_a_point_keeps_its_energy)
+{
+    // Its three moments differ, and it hangs off its point, so what the joint gives
+    // turns it about all axes.  Ten seconds.  Rejects: impulses that move a body on
+    // with the moments of the substep's begin.
+    begin_awake(0, 4);
+    const shape *s = box_of(0, vec3_make(0.36, 0.06, 0.2), 1);
+    vec3 at = vec3_make(0, 0.2, 0), spin = vec3_make(3, 10, 5);
+    add_thrown(s, at, vec3_cross(spin, at), spin);
+    ball(-1, 0, ZERO);
+    real energy = ledger_total(&w).energy;
+    for (int k = 0; k < 600; k++) {
+        steps(1);
+        near(ledger_total(&w).energy / energy, 1, 3e-4, "energy, of its own");
+    }
+}
+END_TEST
+
 START_TEST(joined_pair_in_free_flight_keeps_its_momenta)
 {
     // Rejects: a push on one of the two only; arms to different points.
@@ -866,6 +884,7 @@ int main(void)
     const TTest *const tests[] = {
         box_on_a_hinge_swings_in_the_time_of_its_inertia,
         swing_keeps_its_height,
+        brick_that_tumbles_about_a_point_keeps_its_energy,
         joined_pair_in_free_flight_keeps_its_momenta,
         chain_holds_a_hundred_times_the_weight_of_its_links,
         chain_that_comes_taut_stays_whole,

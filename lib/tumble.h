@@ -112,7 +112,8 @@ typedef struct {
     bool   certified;       // cloth never crosses cloth, whatever is demanded:
                             // where it must, it is stopped and stretches for it,
                             // and the report says so; false.  A frame of cloth
-                            // costs up to a quarter more
+                            // costs up to a half more, and twice as
+                            // much or more where it acts
 
     // Runs work(data, 0) to work(data, items - 1) in any order, or at once on
     // several threads, and returns when all are done; NULL: one by one.  The

@@ -654,7 +654,8 @@ static void certify(const frame_look *l)
 //<
 
 //> certificate-frame
-//>   What it has added to a way, it adds to the velocity.
+//>   What it has added to a way, it adds to the velocity. A long frame has more
+//>   than one way.
 static void take_back(const frame_look *l, int v)
 {
     const soft_frame *f = l->f;
@@ -662,7 +663,7 @@ static void take_back(const frame_look *l, int v)
     vec3 by = vec3_sub(l->c->at[1][v], p->position);
     if (!(vec3_length_squared(by) > 0)) return;
     p->position = l->c->at[1][v];
-    p->previous = vec3_add_scaled(p->previous, 1 - f->age / f->frame, by);
+    p->previous = vec3_add_scaled(p->previous, 1 - f->age / l->c->since, by);
 }
 
 // A vertex that is lost stands still for all others.
@@ -686,6 +687,38 @@ static void copy_positions(certificate *c, const soft_frame *f, int end)
 void certificate_begin(certificate *c, const soft_frame *f)
 {
     copy_positions(c, f, 0);
+    c->since = 0;
+}
+
+// Cloth that falls as one, however fast, keeps all its planes: what counts is
+// how far one vertex has gone from another.  No way is shorter than the usual
+// substep of what is stiff: what cannot be is asked for in every one.
+bool certificate_is_due(certificate *c, const soft_frame *f)
+{
+    vec3 low = { HUGE_VAL, HUGE_VAL, HUGE_VAL }, high = vec3_scale(-1, low);
+    real spacing = HUGE_VAL;
+    c->since += f->h;
+    if (!(c->since * (f->stiff_substeps + 1) > f->frame)) return false;
+    for (int b = 0; b < f->bodies; b++) {
+        if (!is_certified(f, b)) continue;
+        int n = f->body[b].first + body_particles(&f->body[b]);
+        spacing = real_min(spacing, f->body[b].shape->spacing);
+        for (int v = f->body[b].first; v < n; v++) {
+            vec3 way = vec3_sub(f->particle[v].position, c->at[0][v]);
+            low = low_corner(low, way);
+            high = high_corner(high, way);
+        }
+    }
+    return vec3_distance(low, high) > spacing;
+}
+
+// What is proved begins the next way.
+static void go_on(certificate *c)
+{
+    vec3 *ended = c->at[1];
+    c->at[1] = c->at[0];
+    c->at[0] = ended;
+    c->since = 0;
 }
 
 void certificate_end(certificate *c, const soft_frame *f)
@@ -695,7 +728,7 @@ void certificate_end(certificate *c, const soft_frame *f)
     for (int b = 0; b < f->bodies; b++)
         is_still = is_still && !(is_certified(f, b) && soft_moves(f, b));
     c->prevented = c->left_out = 0;
-    if (is_still) return;
+    if (is_still || !(c->since > 0)) return;
     copy_positions(c, f, 1);
     for (int v = 0; v < c->particles; v++) c->of[v].crossed = false;
     certify(&l);
@@ -706,6 +739,7 @@ void certificate_end(certificate *c, const soft_frame *f)
         int n = f->body[b].first + body_particles(&f->body[b]);
         for (int v = f->body[b].first; v < n; v++) take_back(&l, v);
     }
+    go_on(c);
 }
 //<
 

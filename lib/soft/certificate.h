@@ -19,7 +19,7 @@
 
 //> certificate-witness
 //>   What has been proved, anybody can prove again with dot products.
-enum { ENDS = 2 };      // a frame begins, and ends
+enum { ENDS = 2 };      // a frame, or a part of it, begins, and ends
 
 // Cells of a cloth: from here to before there, in columns and rows.
 typedef struct {
@@ -83,10 +83,11 @@ typedef struct {
     int particles;              // for so many there is room
     int clashes;                // in this look, that found room or not
     real rounding;              // m, no gap is wrong by as much
+    real since;                 // s, since all was where it is at first
     witness_reader *read;       // NULL, or is told of every witness of the
     void *to;                   // frame that was accepted
 
-    int prevented;              // clashes of the last frame, before they were
+    int prevented;              // clashes of the last look, before they were
                                 // parted,
     int left_out;               // and pairs that crossed when it began
 } certificate;
@@ -98,13 +99,18 @@ typedef struct {
 status certificate_grow(certificate *c, int kept, int particles);
 void   certificate_free(certificate *c);        // a zeroed one is fine
 
-// A frame begins: all cloth is where it is.
+// A way begins: all cloth is where it is.
 void certificate_begin(certificate *c, const soft_frame *f);
 
-// It ends: if no triangle of cloth crossed another of that cloth, or of one that
-// it meets, none does now.  Where the end cannot be proved to be so, particles are
-// parted, or go as one; what is free keeps its momentum.  Pairs that crossed when
-// the frame began are left out, and those beside them.
+// A substep is over.  Has one vertex gone a spacing further than another?  Then
+// the ends of the way say little of what is between, and it must end here.
+bool certificate_is_due(certificate *c, const soft_frame *f);
+
+// The way ends, and another begins: if no triangle of cloth crossed another of
+// that cloth, or of one that it meets, none does now.  Where the end cannot be
+// proved to be so, particles are parted, or go as one; what is free keeps its
+// momentum.  Pairs that crossed when the way began are left out, and those
+// beside them.
 void certificate_end(certificate *c, const soft_frame *f);
 
 #endif

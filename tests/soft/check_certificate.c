@@ -33,7 +33,15 @@ static void set_up(void)
     ck_assert(certificate_grow(&proof, 0, ALL).ok);
     frame = (soft_frame){ .body = sheet, .asleep = asleep, .bodies = SHEETS,
                           .particle = at, .frame = FRAME, .whole = FRAME,
-                          .age = AGE, .h = AGE };
+                          .age = AGE, .h = AGE,
+                          .stiff_substeps = 16 };
+}
+
+// A way begins that takes a frame.
+static void begin(void)
+{
+    certificate_begin(&proof, &frame);
+    proof.since = FRAME;
 }
 
 static void tear_down(void)
@@ -103,7 +111,7 @@ START_TEST(whoever_starts_uncrossed_never_crosses)
     ck_assert_int_eq(crossing_now(), 0);
     long without = 0;
     for (int f = 0; f < 6; f++) {
-        certificate_begin(&proof, &frame);
+        begin();
         demand(&seed);
         without += crossing_now();
         certificate_end(&proof, &frame);
@@ -221,7 +229,7 @@ START_TEST(its_witnesses_are_replayed_by_dot_products)
     for (int f = 0; f < 2; f++) {
         count = 0;
         for (int v = 0; v < ALL; v++) start[v] = at[v].position;
-        certificate_begin(&proof, &frame);
+        begin();
         demand(&seed);
         certificate_end(&proof, &frame);
         for (int v = 0; v < ALL; v++) end[v] = at[v].position;
@@ -252,7 +260,7 @@ START_TEST(what_does_not_cross_keeps_its_bits)
     unsigned long long seed = 5;
     static particle before[ALL];
     lay(&seed, SPACING);
-    certificate_begin(&proof, &frame);
+    begin();
     for (int v = 0; v < ALL; v++) {
         vec3 x = at[v].position;
         move(v, vec3_make(x.z * x.z, 3 + x.x * x.x, 0.1 * x.y));
@@ -261,6 +269,56 @@ START_TEST(what_does_not_cross_keeps_its_bits)
     certificate_end(&proof, &frame);
     ck_assert_int_eq(proof.prevented, 0);
     ck_assert(memcmp(before, at, sizeof at) == 0);
+}
+END_TEST
+
+// The one above goes half around the other in a frame, so far from it that they
+// never meet; but from its first place to its last, straight, it goes through.
+static long turns_around(int pieces)
+{
+    unsigned long long seed = 8;
+    long prevented = 0;
+    lay(&seed, 4 * SPACING);
+    begin();
+    proof.since = 0;
+    frame.h = FRAME / pieces;
+    for (int k = 1; k <= pieces; k++) {
+        real turn = k * acos(-1) / pieces;
+        for (int v = EACH; v < ALL; v++) {
+            vec3 x = cloth.at[v - EACH], to = { x.x, 4 * SPACING, x.z };
+            to = vec3_make(to.x * cos(turn) - to.y * sin(turn),
+                           to.x * sin(turn) + to.y * cos(turn), to.z);
+            move(v, vec3_sub(to, at[v].position));
+        }
+        if (certificate_is_due(&proof, &frame) || k == pieces) {
+            certificate_end(&proof, &frame);
+            prevented += proof.prevented;
+        }
+    }
+    return prevented;
+}
+
+START_TEST(a_long_way_is_proved_piece_by_piece)
+{
+    ck_assert_int_gt(turns_around(1), 0);
+    ck_assert_int_eq(turns_around(16), 0);
+}
+END_TEST
+
+// By ten spacings in each substep, in rows of waves.
+START_TEST(what_falls_as_one_is_proved_once_a_frame)
+{
+    unsigned long long seed = 9;
+    lay(&seed, SPACING);
+    certificate_begin(&proof, &frame);
+    for (int k = 0; k < 4; k++) {
+        for (int v = 0; v < ALL; v++) move(v, vec3_make(0, -10 * SPACING, 0));
+        ck_assert(!certificate_is_due(&proof, &frame));
+    }
+    move(3, vec3_make(0, 0.9 * SPACING, 0));
+    ck_assert(!certificate_is_due(&proof, &frame));
+    move(3, vec3_make(0, 0.2 * SPACING, 0));
+    ck_assert(certificate_is_due(&proof, &frame));
 }
 END_TEST
 
@@ -279,7 +337,7 @@ START_TEST(what_is_stopped_loses_its_speed_and_what_is_nailed_stays)
     for (int v = EACH; v < ALL; v++)
         at[v].position = vec3_make(0.5 * at[v].position.x, gap,
                                    0.5 * at[v].position.z);
-    certificate_begin(&proof, &frame);
+    begin();
     for (int v = 0; v < ALL; v++) start[v] = at[v].position;
     for (int v = EACH; v < ALL; v++) move(v, vec3_make(0, -5 * gap, 0));
     certificate_end(&proof, &frame);
@@ -318,7 +376,7 @@ START_TEST(what_is_free_keeps_its_momentum_and_loses_its_approach)
     vec3 way, place, way_then, place_then;
     lay(&seed, 0.5 * SPACING);
     for (int v = 0; v < EACH; v++) at[v].inverse_mass = EACH / 3.0;
-    certificate_begin(&proof, &frame);
+    begin();
     if (_i % 2) demand(&seed);
     for (int v = 0; v < ALL; v++)
         move(v, vec3_make(0, v < EACH ? SPACING : -SPACING, 0));
@@ -348,7 +406,7 @@ START_TEST(what_crosses_already_is_left_out_and_goes_its_way)
     ck_assert_int_gt(crossing_now(), 0);
     real low = at[EACH].position.y;
     for (int f = 0; f < 60; f++) {
-        certificate_begin(&proof, &frame);
+        begin();
         for (int v = EACH; v < ALL; v++) move(v, vec3_make(0, 0.1 * SPACING, 0));
         certificate_end(&proof, &frame);
         if (f == 0) ck_assert_int_gt(proof.left_out, 0);
@@ -364,7 +422,7 @@ START_TEST(lost_numbers_end_and_harm_no_other_sheet)
 {
     unsigned long long seed = 6;
     lay(&seed, SPACING);
-    certificate_begin(&proof, &frame);
+    begin();
     for (int v = 0; v < EACH; v++) move(v, vec3_make(0, -1, 0));
     at[EACH].position.x = NAN;
     certificate_end(&proof, &frame);
@@ -377,6 +435,8 @@ int main(void)
 {
     const TTest *tests[] = {
         what_does_not_cross_keeps_its_bits,
+        a_long_way_is_proved_piece_by_piece,
+        what_falls_as_one_is_proved_once_a_frame,
         what_is_stopped_loses_its_speed_and_what_is_nailed_stays,
         what_crosses_already_is_left_out_and_goes_its_way,
         lost_numbers_end_and_harm_no_other_sheet,

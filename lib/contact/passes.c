@@ -725,9 +725,17 @@ ALWAYS_INLINE bool wakes(block *k, const solver_pass *q, const sides4 *u, bool t
 //<
 
 //> passes-push
+// What pushes apart along the normal: how fast the centres part, and what it
+// has given so far.
+typedef struct {
+    sides4 u;
+    real4 parting, sum;
+} pushing;
+
 // An open gap may close, but no further; an overlap is pushed out as a spring
-// and a damper would.
-ALWAYS_INLINE void push(block *k, const solver_pass *q, bool two, bool has_impacts)
+// and a damper would.  Only where `on` is positive.  Returns what open ones push.
+ALWAYS_INLINE real4 push_points(block *k, const solver_pass *q, pushing *w,
+                                real4 on, bool two, bool has_impacts)
 {
     const softness *soft = &q->soft[two ? TWO_SIDED : ONE_SIDED];
     const real4 one = real4_all(1), zero = real4_all(0);
@@ -735,29 +743,46 @@ ALWAYS_INLINE void push(block *k, const solver_pass *q, bool two, bool has_impac
     const real4 rate = real4_all(soft->rate * soft->mass);
     const real4 soft_mass = real4_all(soft->mass);
     const real4 soft_impulse = real4_all(soft->impulse);
-    sides4 u = take_sides(k, q->velocity, two);
-    if (k->is_stale && !wakes(k, q, &u, two)) return;
-    real4 parting = part_centers(k->normal, &u, two), sum = zero;
-    real4 inverse = inverse_mass(k, two);
+    real4 inverse = inverse_mass(k, two), struck = zero;
     for (int j = 0; j < k->points; j++) {
         block_point *p = &k->point[j];
         real4 gap = p->now;
-        real4 speed = real4_add(parting,
-                                part_turns(p->turn_a, p->turn_b, &u, two));
+        real4 speed = real4_add(w->parting,
+                                part_turns(p->turn_a, p->turn_b, &w->u, two));
         if (has_impacts)
-            speed = real4_if_positive(gap, leave_impacts(k, q, speed, p->impulse),
-                                      speed);
+            speed = real4_if_positive(
+                gap, leave_impacts(k, q, speed, p->impulse), speed);
         real4 bias = real4_if_positive(gap, real4_mul(gap, per_h),
                                        real4_max(real4_mul(rate, gap), most));
         real4 mass = real4_if_positive(gap, one, soft_mass);
         real4 leak = real4_if_positive(gap, zero, soft_impulse);
         real4 step = real4_mad(p->mass, real4_mad(mass, speed, bias),
                                real4_mul(leak, p->impulse));
-        push_point(p, real4_sub(p->impulse, step), inverse, &parting, &sum, &u,
-                   two);
+        step = real4_if_positive(on, step, zero);
+        push_point(p, real4_sub(p->impulse, step), inverse, &w->parting,
+                   &w->sum, &w->u, two);
+        struck = real4_add(struck, real4_if_positive(gap, p->impulse, zero));
     }
-    push_centers(k, k->normal, sum, &u, two);
-    give_sides(k, q->velocity, &u, two);
+    return struck;
+}
+
+// The first point that strikes turns the body onto the others: what falls flat
+// would land on its rim.  So several go on in turn, once for each.  (What rests
+// has that time from one substep to the next.)
+ALWAYS_INLINE void push(block *k, const solver_pass *q, bool two,
+                        bool has_impacts)
+{
+    pushing w = { .u = take_sides(k, q->velocity, two), .sum = real4_all(0) };
+    if (k->is_stale && !wakes(k, q, &w.u, two)) return;
+    w.parting = part_centers(k->normal, &w.u, two);
+    real4 struck = push_points(k, q, &w, real4_all(1), two, has_impacts);
+    if (k->points > 1 && real4_any(struck)) {
+        struck = real4_mul(struck, k->place[1].has);
+        for (int i = 1; i < CONTACT_POINTS; i++)
+            push_points(k, q, &w, struck, two, has_impacts);
+    }
+    push_centers(k, k->normal, w.sum, &w.u, two);
+    give_sides(k, q->velocity, &w.u, two);
 }
 //<
 

@@ -691,97 +691,72 @@ static void meet_edges(const patch *p, const patch *q, meetings *m)
 // Of equals, up to rounding, the first wins.
 static int beats(real x, real best)
 {
-    return x > best * (1 + 0x1p-20);
+    return x > best + fabs(best) * 0x1p-20;
 }
 
-// The corner furthest from point p; -1: none further than m->same.
-static int furthest_from(const meetings *m, vec3 p)
+// m^2: how far a corner lies from the lines between those that are kept.
+static real apart_from(vec3 at, const vec3 *kept, int n)
+{
+    real near = HUGE_VAL;
+    for (int i = 0; i < n; i++)
+        for (int j = n > 1 ? i + 1 : i; j < n; j++) {
+            real t = i < j ? part_between(kept[i], kept[j], at) : 0;
+            vec3 e = vec3_sub(kept[j], kept[i]);
+            vec3 d = vec3_sub(at, vec3_add_scaled(kept[i], t, e));
+            near = real_min(near, dot2(d, d));
+        }
+    return near;
+}
+
+// The corner that comes deepest if the body turns by so much (rad) about those
+// that are kept: by its distance from them, less how far it is open.  -1: none
+// further from them than m->same.
+static int most_exposed(const meetings *m, const vec3 *kept, int n, real turn)
 {
     int best = -1;
-    real most = m->same * m->same;
+    real most = 0;
     for (int k = 0; k < m->count; k++) {
-        vec3 d = vec3_sub(m->at[k], p);
-        real far = dot2(d, d);
-        if (beats(far, most)) { most = far; best = k; }
+        real near = apart_from(m->at[k], kept, n);
+        if (!(near > m->same * m->same)) continue;
+        real deep = turn * sqrt(near) - m->of[k].gap;
+        if (best < 0 || beats(deep, most)) { most = deep; best = k; }
     }
     return best;
-}
-
-// A corner across from the first, and on either side of the line to it the one
-// furthest off; -1: none further than m->same.  Twice the area of all four.
-typedef struct {
-    int  across, left, right;
-    real area;
-} spread;
-
-// (A cross product is the distance from the line, times the length of e.)
-static spread spread_across(const meetings *m, vec3 first, int across)
-{
-    vec3 e = vec3_sub(m->at[across], first);
-    real left = m->same * sqrt(dot2(e, e)), right = left;
-    spread s = { across, -1, -1, 0 };
-    for (int k = 0; k < m->count; k++) {
-        real off = cross2(e, vec3_sub(m->at[k], first));
-        if (beats(off, left)) { left = off; s.left = k; }
-        if (beats(-off, right)) { right = -off; s.right = k; }
-    }
-    s.area = left + right;
-    return s;
 }
 //<
 
 //> manifold-choose
-// out[0] is chosen, and stands at `first`.  Then come the three that span the
-// largest area with it.  Of many corners, near each other, not all are tried
-// as the one across.  Returns how many there are.
-static int choose_widest(const meetings *m, vec3 first, touch *out)
+// out[0] is chosen, and stands at `first`.  Then come, one by one, those three
+// without which the body could sink deepest.  Returns how many there are.
+static int choose_exposed(const meetings *m, vec3 first, real turn, touch *out)
 {
-    enum { TRIES = 16 };                    // tuned, corners
-    int n = 1, k = furthest_from(m, first), step = 1 + m->count / TRIES;
-    if (k < 0) return n;
-    spread best = spread_across(m, first, k);
-    for (k = 0; k < m->count; k += step) {
-        spread s = spread_across(m, first, k);
-        if (beats(s.area, best.area)) best = s;
+    vec3 kept[MANIFOLD_POINTS] = { first };
+    int n = 1;
+    while (n < MANIFOLD_POINTS) {
+        int k = most_exposed(m, kept, n, turn);
+        if (k < 0) break;
+        kept[n] = m->at[k];
+        out[n++] = m->of[k];
     }
-    out[n++] = m->of[best.across];
-    if (best.left >= 0) out[n++] = m->of[best.left];
-    if (best.right >= 0) out[n++] = m->of[best.right];
     return n;
-}
-
-// Corners that stay open give way to the others.
-static void drop_open(meetings *m, real turn)
-{
-    int deepest = 0, n = 0;
-    for (int k = 1; k < m->count; k++)
-        if (m->of[k].gap < m->of[deepest].gap) deepest = k;
-    vec3 at = m->at[deepest];
-    real least = m->of[deepest].gap;
-    for (int k = 0; k < m->count; k++) {
-        vec3 d = vec3_sub(m->at[k], at);
-        if (m->of[k].gap - least > turn * sqrt(dot2(d, d))) continue;
-        m->at[n] = m->at[k];
-        m->of[n++] = m->of[k];
-    }
-    m->count = n;
 }
 
 // The touches from at least two corners; returns how many.
 static int choose(const meetings *m, const touch *nearest, real slack,
-                  touch out[MANIFOLD_POINTS])
+                  real turn, touch out[MANIFOLD_POINTS])
 {
     int deepest = 0, n = 1;
+    turn = real_max(turn, MANIFOLD_TURN);
     for (int k = 0; k < m->count; k++)
         if (m->of[k].gap < m->of[deepest].gap - slack) deepest = k;
     // A patch that bulges: the view's origin is where the bodies are nearest.
     real bulge = m->of[deepest].gap - nearest->gap;
     out[0] = *nearest;
     if (bulge > slack)
-        return choose_widest(m, vec3_make(0, 0, 0), out);
+        return choose_exposed(m, vec3_make(0, 0, 0), turn, out);
     out[0] = m->of[deepest];
     if (m->count > MANIFOLD_POINTS)
-        return choose_widest(m, m->at[deepest], out);
+        return choose_exposed(m, m->at[deepest], turn, out);
     for (int k = 0; k < m->count; k++)
         if (k != deepest) out[n++] = m->of[k];
     return n;
@@ -790,12 +765,11 @@ static int choose(const meetings *m, const touch *nearest, real slack,
 
 //> manifold-find
 // What is kept of the corners that were met, beside the pair.
-static int keep(meetings *m, const touch *pair, const view *w, real turn,
+static int keep(const meetings *m, const touch *pair, const view *w, real turn,
                 touch out[MANIFOLD_POINTS])
 {
     out[0] = *pair;
-    if (turn > MANIFOLD_TURN && m->count > MANIFOLD_POINTS) drop_open(m, turn);
-    return m->count > 1 ? choose(m, pair, w->slack, out) : 1;
+    return m->count > 1 ? choose(m, pair, w->slack, turn, out) : 1;
 }
 
 // The manifold of two cores, or of bodies that are not round.

@@ -34,9 +34,9 @@ typedef struct {
 // again.  The faces of a patch are off the one that leans least by no more than 3.
 // nearest is the pair of nearest (or deepest) points that a query found, and
 // its normal the manifold's.  The pair is the only touch where fewer than two
-// corners are near.  Else point[0] is the deepest corner, and the others span
-// the most area with it; the pair, which may be any point of two faces that are
-// parallel, is dropped.  Only if the patches bulge, so that the pair is deeper
+// corners are near.  Else point[0] is the deepest corner, and the others those
+// without which the bodies could sink deepest; the pair, which may be any point
+// of two faces that are parallel, is dropped.  Only if the patches bulge, so that the pair is deeper
 // than every corner by more than rounding, it is point[0].  Of two corners at
 // one place one is given.  Two edges count as side by side up to half a degree;
 // their points may then be off the normal by as much.

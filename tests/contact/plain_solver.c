@@ -148,11 +148,13 @@ static contact_arms arms_of(const plain_solver *s, int i, int k)
                            c->b < 0 ? NULL : place_of(s, c->b));
 }
 
-static void solve_normals(plain_solver *s, int i, softness soft, bool relaxes)
+// Does a point push that is open?
+static bool solve_normals(plain_solver *s, int i, softness soft, bool relaxes)
 {
     contact *c = s->contact[i];
     pair p = pair_of(s, c);
     vec3 n = c->normal;
+    bool strikes = false;
     for (int k = 0; k < c->count; k++) {
         contact_arms at = arms_of(s, i, k);
         const vec3 arm[2] = { at.a, at.b };
@@ -169,16 +171,22 @@ static void solve_normals(plain_solver *s, int i, softness soft, bool relaxes)
         }
         c->impulse[k] = real_max(was - mass * lacking - leak, 0);
         apply(&p, arm, vec3_scale(c->impulse[k] - was, n));
+        strikes |= gap > 0 && c->impulse[k] > 0;
     }
+    return strikes;
 }
 
+// What strikes is solved once for each point that a contact may have.
 void plain_push(plain_solver *s)
 {
     for (int i = 0; i < s->contacts; i++) {
         pair p = pair_of(s, s->contact[i]);
         bool both_move = p.basis[0]->inverse_mass > 0
                       && p.basis[1]->inverse_mass > 0;
-        solve_normals(s, i, plain_softness(s->frame, both_move), false);
+        softness soft = plain_softness(s->frame, both_move);
+        bool strikes = solve_normals(s, i, soft, false);
+        for (int k = 1; strikes && k < CONTACT_POINTS; k++)
+            solve_normals(s, i, soft, false);
     }
 }
 //<

@@ -710,16 +710,18 @@ static real apart_from(vec3 at, const vec3 *kept, int n)
 
 // The corner that comes deepest if the body turns by so much (rad) about those
 // that are kept: by its distance from them, less how far it is open.  -1: none
-// further from them than m->same.
-static int most_exposed(const meetings *m, const vec3 *kept, int n, real turn)
+// further from them than m->same, and deeper than `most` (m).
+static int most_exposed(const meetings *m, const vec3 *kept, int n, real turn,
+                        real most)
 {
     int best = -1;
-    real most = 0;
     for (int k = 0; k < m->count; k++) {
         real near = apart_from(m->at[k], kept, n);
         if (!(near > m->same * m->same)) continue;
         real deep = turn * sqrt(near) - m->of[k].gap;
-        if (best < 0 || beats(deep, most)) { most = deep; best = k; }
+        if (!(best < 0 ? deep > most : beats(deep, most))) continue;
+        most = deep;
+        best = k;
     }
     return best;
 }
@@ -727,13 +729,15 @@ static int most_exposed(const meetings *m, const vec3 *kept, int n, real turn)
 
 //> manifold-choose
 // out[0] is chosen, and stands at `first`.  Then come, one by one, those three
-// without which the body could sink deepest.  Returns how many there are.
+// without which the body could sink deepest.  Of a body that turns further than it
+// is asked for, what still stays open goes.  Returns how many there are.
 static int choose_exposed(const meetings *m, vec3 first, real turn, touch *out)
 {
     vec3 kept[MANIFOLD_POINTS] = { first };
+    real open = turn > MANIFOLD_TURN ? -out[0].gap : -HUGE_VAL;
     int n = 1;
     while (n < MANIFOLD_POINTS) {
-        int k = most_exposed(m, kept, n, turn);
+        int k = most_exposed(m, kept, n, turn, open);
         if (k < 0) break;
         kept[n] = m->at[k];
         out[n++] = m->of[k];

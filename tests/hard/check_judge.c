@@ -268,24 +268,30 @@ static const drape *row_of(const char *name)
 }
 
 // In short substeps the library and the springs find the same, to what chance
-// leaves.  N/m: diagonals as in those substeps.
+// leaves: with as many substeps by a few the peak differs by a tenth, so it is the
+// mean of five.  N/m: diagonals as in those substeps.
 START_TEST(springs_find_what_short_substeps_find)
 {
+    enum { TIMES = 5 };
     const char *name[] = { "cubes, corners", "cubes, rim" };
     for (int k = 0; k < 2; k++) {
         drape d = *row_of(name[k]);
-        setting x;
+        real mean = 0, springs = 0;
         d.n = 8;
-        drape_build(&x, &d, 1);
-        ck_assert_msg(x.ok.ok, "%s", x.ok.why);
-        real h = 1.0 / 60 / 109, shear = 0.25 / (2 * d.n * d.n * h * h);
-        real springs = springs_strain(&x.w, shear, 1.2);
-        x.w.options.substeps = 100;
-        x.w.options.most_substeps = 1000;
-        verdict now = { .strain = 0 };
-        ck_assert(judge_watch(&x.w, (watch_plan){ 72, -HUGE_VAL, 0 }, &now));
-        near_relative(now.strain, springs, 0.25);
-        setting_free(&x);
+        for (int i = 0; i < TIMES; i++) {
+            setting x;
+            drape_build(&x, &d, 1);
+            ck_assert_msg(x.ok.ok, "%s", x.ok.why);
+            real h = 1.0 / 60 / 109, shear = 0.25 / (2 * d.n * d.n * h * h);
+            springs = springs_strain(&x.w, shear, 1.2);
+            x.w.options.substeps = 90 + 5 * i;
+            x.w.options.most_substeps = 1000;
+            verdict now = { .strain = 0 };
+            ck_assert(judge_watch(&x.w, (watch_plan){ 72, -HUGE_VAL, 0 }, &now));
+            mean += now.strain / TIMES;
+            setting_free(&x);
+        }
+        near_relative(mean, springs, 0.25);
     }
 }
 END_TEST

@@ -423,14 +423,6 @@ static bool flies(const cache_frame *f, int a, int b)
     return far > fmin(f->body[a].inner, f->body[b].inner);
 }
 
-// By so many inner radii of the smaller one.
-static real inners_of(const cache_frame *f, int a, int b)
-{
-    real far = vec3_distance(f->ahead[a].way, f->ahead[b].way);
-    real inner = fmin(f->body[a].inner, f->body[b].inner);
-    return inner > 0 ? far / inner : HUGE_VAL;
-}
-
 // (What turns by half a turn and more is asked where it is.)
 static const real HALF = 3;                 // rad
 
@@ -700,8 +692,8 @@ static void gather(contact_cache *c, const cache_frame *f, cache_pair *p)
         c->placing[now->piece_a].corners = c->updates;
         if (now->piece_b >= 0) c->placing[now->piece_b].corners = c->updates;
     }
-    if (p->seen[0] < 0 && now->b >= 0)
-        c->fast = real_max(inners_of(f, now->piece_a, now->piece_b), c->fast);
+    c->fast += p->seen[0] < 0 && now->b >= 0
+             && flies(f, now->piece_a, now->piece_b);
     c->active[c->actives] = now;
     c->of[c->actives++] = p;
 }
@@ -733,8 +725,7 @@ static bool grow_active(contact_cache *c, int need)
 
 static void gather_active(contact_cache *c, const cache_frame *f)
 {
-    c->actives = 0;
-    c->fast = 0;
+    c->actives = c->fast = 0;
     if (!grow_active(c, c->entries)) {
         c->lost += c->entries;
         return;

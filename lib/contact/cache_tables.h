@@ -135,8 +135,7 @@ typedef struct {
     long queries;       // asked in this frame
     long found;         // contacts, ever
     int  lost;          // contacts that found no memory
-    real fast;          // by so many of its inner radii flies what meets later
-                        // in the frame, at most
+    int  fast;          // contacts of bodies that meet later in the frame
 } contact_cache;
 //<
 

@@ -137,10 +137,9 @@ static void solve(world *w, real *since)
 //<
 
 //> step-swept
-// Where something flies by twice its inner radius in a frame, and may hit, the
-// frame is divided, into a part for each of these radii: after the impact
-// everything goes elsewhere than was found.  Where what is driven turns past what
-// it may hit, it is divided into all parts.
+// Where something flies by more than its own size in a frame, and may hit, the
+// frame is divided: after the impact everything goes elsewhere than was found.
+// So it is where what is driven turns past what it may hit.
 enum { FAST_PARTS = 4 };                    // tuned, parts
 
 static bool is_swept(const world *w)
@@ -153,9 +152,7 @@ static bool is_swept(const world *w)
 
 static int parts_of(const world *w)
 {
-    real fast = w->rigid.cache.fast;
-    if (is_swept(w) || fast > FAST_PARTS) return FAST_PARTS;
-    return int_max((int)fast, 1);
+    return w->rigid.cache.fast > 0 || is_swept(w) ? FAST_PARTS : 1;
 }
 
 // A world in which everything sleeps has nothing to do: nothing in it can wake.

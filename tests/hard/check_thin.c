@@ -107,27 +107,6 @@ START_TEST(bullet_at_a_plate_takes_few_more_substeps)
 }
 END_TEST
 
-// What flies by one and a half inner radii in a frame divides none; by three and a
-// half it divides the frame in which it strikes in three, of two substeps each.
-// Rejects: four parts for whatever flies; none for what flies far.
-START_TEST(a_frame_is_divided_as_often_as_it_is_crossed)
-{
-    const real inners[2] = { 1.5, 3.5 };
-    const int want[2] = { 4, 3 * 2 };
-    for (int k = 0; k < 2; k++) {
-        real speed = 60 * inners[k]
-                   * real_min(shape_inner(&bullet), shape_inner(&plate));
-        shoot_down(weightless(), 0.5, vec3_make(0, -speed, 0));
-        int most = 0;
-        for (int f = 0; f < 60; f++) {
-            world_step(&w);
-            most = int_max(most, w.report.substeps);
-        }
-        ck_assert_int_eq(most, want[k]);
-    }
-}
-END_TEST
-
 // Rejects: a cap that is not kept.
 START_TEST(substeps_stay_within_their_bounds)
 {
@@ -467,7 +446,6 @@ int main(void)
 {
     const TTest *const tests[] = {
         bullet_at_a_plate_takes_few_more_substeps,
-        a_frame_is_divided_as_often_as_it_is_crossed,
         substeps_stay_within_their_bounds,
         what_meets_a_cloth_goes_slower_still,
         other_substeps_change_no_parabola,

@@ -15,6 +15,7 @@ import { Flat } from './flat.js';
 import { Code } from './code.js';
 import { Past } from './past.js';
 import { film } from './film.js';
+import { Race } from './race.js';
 
 const FRAMES = 60;              // after which the hash is shown
 const NEAR = '700px';           // so far below the window a figure is made ready
@@ -203,7 +204,7 @@ class Figure {
     this.past.keep();
     const from = performance.now();
     this.guard(() => this.core.call('step'));
-    const took = performance.now() - from;
+    const took = this.took = performance.now() - from;
     this.ghost?.call('step');
     this.frames++;
     this.slow = this.frames < 6 ? took : 0.9 * this.slow + 0.1 * took;
@@ -370,6 +371,10 @@ function begin() {
   const nameOf = node => node.dataset.live ?? node.dataset.small;
   const figures = [...document.querySelectorAll('[data-live], [data-small]')].filter(node => tumble.panels?.[nameOf(node)]);
   for (const node of figures) node.live = new Figure(node, tumble.panels[nameOf(node)]);
+  for (const node of document.querySelectorAll('[data-race]')) {
+    new Race(node, tumble.panels[node.dataset.race], Figure);
+    figures.push(...node.querySelectorAll('[data-small]'));
+  }
   const told = figures.find(node => 'live' in node.dataset && location.hash.startsWith(`#${node.dataset.live}=`));
   // What moves comes after all that is read.
   const watch = async () => {

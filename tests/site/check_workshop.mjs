@@ -4,17 +4,19 @@
 //   node check_workshop.mjs BUILD [WRONGS [NN-name...]]      (or reader, or little)
 // WRONGS: so many wrong answers of each, from the first to the last (0: all).
 
-import { execFileSync } from 'node:child_process';
+import { execFile, execFileSync } from 'node:child_process';
 import { copyFileSync, existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
-import { launch } from './browser.mjs';
+import { promisify } from 'node:util';
+import { launch, together } from './browser.mjs';
 import { serve } from './server.mjs';
 
 const build = resolve(process.argv[2]), most = +(process.argv[3] ?? 2);
 const ids = process.argv.length > 4 ? process.argv.slice(4)
   : ['01-step', '02-stick', '03-rank', '04-nearest', '05-features', '06-ball', '07-separate', '08-lists', '09-scene', 'reader', 'little'];
 const site = `${build}/site`, WAIT = { timeout: 300e3 };
+const TOGETHER = 2;             // exercises, at a time
 const TRIES = 3;                // so often a busy machine may be late
 if (!existsSync(`${site}/write-01-step.html`)) { console.log('workshop: the site was made without it'); process.exit(0); }
 
@@ -37,13 +39,13 @@ function answersTo(id) {
 }
 
 // What the desk says of the wrong ones.
-function deskOf(id, wrong) {
+async function deskOf(id, wrong) {
   const folder = `${build}/workshop/desk/${id}`;
   for (const { number, source } of wrong) {
     mkdirSync(`${folder}/${number}`, { recursive: true });
     writeFileSync(`${folder}/${number}/mine.c`, source);
   }
-  execFileSync('sh', ['tests/site/desk.sh', id.replace('-', '/'), folder, ...wrong.map(one => String(one.number))], { stdio: 'ignore', env: { ...process.env, BUILD: process.argv[2] } });
+  await promisify(execFile)('sh', ['tests/site/desk.sh', id.replace('-', '/'), folder, ...wrong.map(one => String(one.number))], { env: { ...process.env, BUILD: process.argv[2] } });
   return wrong.map(({ number }) => readFileSync(`${folder}/${number}/told`, 'utf8'));
 }
 
@@ -109,7 +111,7 @@ async function checkGhost(page, right) {
 }
 
 async function checkExercise(id, address) {
-  const { right, wrong } = answersTo(id), desk = deskOf(id, wrong);
+  const { right, wrong } = answersTo(id), told = deskOf(id, wrong);
   const page = await open(address);
   check(!page.asked.some(url => /clang-\d/.test(url)), `${id}: the compiler is not fetched before it is asked for`);
   await put(page, right);
@@ -119,7 +121,7 @@ async function checkExercise(id, address) {
   if (await page.getByRole('button', { name: 'See it move' }).count()) await checkMotion(page, id);
   if (id === '01-step') await checkGhost(page, right);
   // From here on there is no network, and none is asked for.
-  const asked = page.asked.length, times = [];
+  const asked = page.asked.length, times = [], desk = await told;
   await page.context().setOffline(true);
   for (const [k, { number, what, source }] of wrong.entries()) {
     await put(page, source);
@@ -254,11 +256,11 @@ async function checkLittle(stages) {
   await page.context().close();
 }
 
-for (const [k, id] of ids.entries()) {
+await together(TOGETHER, ids, async (id, k) => {
   if (id === 'reader') await checkReader();
   else if (id === 'little') await checkLittle(['00a', '02c', '05c', '07c', '13e', '16c']);
   else await checkExercise(id, k % 2 ? `${host.address}write-${id}.html` : disk(id));
-}
+});
 await browser.close();
 host.end();
 console.log(`workshop: ${checks} checks, ${faults} faults`);

@@ -60,7 +60,7 @@ class Figure {
     const more = panel.buttons.map((name, k) => button(name, () => this.act('press', k), 'live-own'));
     const dials = panel.dials.map((dial, k) => makeDial(dial, value => this.turn(k, value)));
     this.inputs = dials;
-    this.charts = this.isSmall ? [] : panel.charts.map(plan => new Chart(this.node, plan));
+    this.charts = this.isSmall ? [] : panel.charts.map((plan, k) => new Chart(this.node, plan, panel.charts[k - 1]));
     this.said = make('p', { class: 'live-said' });
     this.foot = make('p', { class: 'live-foot' });
     this.tools = this.makeTools(again);

@@ -263,7 +263,9 @@ local function figure_of(image)
   if still then shown = still end
   local is_first = image.classes:includes('first')
   local small = folder == 'live' and (is_first or image.classes:includes('small')) and not whole
-  local data = small and ' class="live small" data-small="' .. name .. '" data-wants="' .. (hash_of(name) or '') .. '"' ..
+  local runs = small and image.attributes.race
+  local data = runs and ' class="live" data-race="' .. name .. '" data-runs="' .. runs .. '"' or
+    small and ' class="live small" data-small="' .. name .. '" data-wants="' .. (hash_of(name) or '') .. '"' ..
       (image.attributes.dial and ' data-dial="' .. image.attributes.dial .. '"' or '') ..
       (image.attributes.set and ' data-set="' .. image.attributes.set .. '"' or '') .. (is_first and ' data-first' or '') or
     still and ' class="moving" data-moving="' .. path .. '"' or folder == 'live' and ' class="live" data-live="' .. name .. '" data-wants="' .. (hash_of(name) or '') .. '"' or ''

@@ -58,7 +58,7 @@ turn() {
 opened() {
     awk -v page="$page" -F ' *[|] *' '
         function shows(k) {
-            print "![" says[k] "](../../figures/live/" figure[k] ".webp){.small" (dial[k] == "" ? "" : " dial=" dial[k]) (set[k] == "" ? "" : " set=\"" set[k] "\"") "}\n"
+            print "![" says[k] "](../../figures/live/" figure[k] ".webp){.small" (dial[k] == "race" ? " race=\"" set[k] "\"" : (dial[k] == "" ? "" : " dial=" dial[k]) (set[k] == "" ? "" : " set=\"" set[k] "\"")) "}\n"
         }
         FILENAME ~ /openings/ {
             if ($1 == page) { n++; begins[n] = $2; figure[n] = $3; dial[n] = $4; set[n] = $5; says[n] = $6 }

@@ -2,7 +2,7 @@
 
 import { make, colour } from './node.js';
 
-const FRAMES = 600;             // as many stay in sight
+const FRAMES = 600, FEW = 120;  // as many stay in sight; at first these fill the chart
 const LINE_COLOURS = { 1: ['blue'], 2: ['orange', 'blue'], 3: ['orange', 'blue', 'green'],
   4: ['orange', 'blue', 'green', 'purple'] };
 const SUPERSCRIPT = { '-': '⁻', 0: '⁰', 1: '¹', 2: '²', 3: '³', 4: '⁴', 5: '⁵', 6: '⁶', 7: '⁷', 8: '⁸', 9: '⁹' };
@@ -19,8 +19,10 @@ function short(x) {
 }
 
 export class Chart {
-  constructor(figure, plan) {
+  // Curves that have the names of those above them need no second legend.
+  constructor(figure, plan, above) {
     Object.assign(this, { figure, plan });
+    const isNamed = plan.over && above?.over && String(above.lines) === String(plan.lines);
     const names = plan.lines.length ? plan.lines : [''];
     this.colours = LINE_COLOURS[names.length];
     this.now = names.map(() => make('b'));
@@ -28,7 +30,7 @@ export class Chart {
     const legend = names.map((name, k) => make('span', {},
       ...(name ? [make('i', { class: 'live-' + this.colours[k] }), name, ' '] : []), this.now[k]));
     this.node = make('div', { class: 'live-chart' },
-      make('div', { class: 'live-chart-head' + (names.length > 1 ? ' live-named' : '') }, make('span', {}, plan.name + (plan.unit ? ', ' + plan.unit : '')), ...legend),
+      make('div', { class: 'live-chart-head' + (names.length > 1 ? ' live-named' : '') }, make('span', {}, plan.name + (plan.unit ? ', ' + plan.unit : '')), ...(isNamed ? [] : legend)),
       this.canvas);
     this.clear();
   }
@@ -94,7 +96,7 @@ export class Chart {
     this.data.forEach((data, line) => {
       if (!data.length) return;
       this.now[line].textContent = this.plan.over ? '' : short(data[data.length - 1]);
-      const most = this.plan.over ? Math.max(1, data.length - 1) : FRAMES - 1;
+      const most = this.plan.over ? Math.max(1, data.length - 1) : Math.max(FEW, data.length) - 1;
       pen.strokeStyle = colour(this.figure, this.colours[line]);
       pen.beginPath();
       data.forEach((value, k) => {

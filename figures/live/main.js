@@ -15,6 +15,7 @@ import { Flat } from './flat.js';
 import { Code } from './code.js';
 import { Past } from './past.js';
 import { film } from './film.js';
+import { Race } from './race.js';
 
 const FRAMES = 60;              // after which the hash is shown
 const NEAR = '700px';           // so far below the window a figure is made ready
@@ -59,7 +60,7 @@ class Figure {
     const more = panel.buttons.map((name, k) => button(name, () => this.act('press', k), 'live-own'));
     const dials = panel.dials.map((dial, k) => makeDial(dial, value => this.turn(k, value)));
     this.inputs = dials;
-    this.charts = this.isSmall ? [] : panel.charts.map(plan => new Chart(this.node, plan));
+    this.charts = this.isSmall ? [] : panel.charts.map((plan, k) => new Chart(this.node, plan, panel.charts[k - 1]));
     this.said = make('p', { class: 'live-said' });
     this.foot = make('p', { class: 'live-foot' });
     this.tools = this.makeTools(again);
@@ -203,7 +204,7 @@ class Figure {
     this.past.keep();
     const from = performance.now();
     this.guard(() => this.core.call('step'));
-    const took = performance.now() - from;
+    const took = this.took = performance.now() - from;
     this.ghost?.call('step');
     this.frames++;
     this.slow = this.frames < 6 ? took : 0.9 * this.slow + 0.1 * took;
@@ -370,6 +371,10 @@ function begin() {
   const nameOf = node => node.dataset.live ?? node.dataset.small;
   const figures = [...document.querySelectorAll('[data-live], [data-small]')].filter(node => tumble.panels?.[nameOf(node)]);
   for (const node of figures) node.live = new Figure(node, tumble.panels[nameOf(node)]);
+  for (const node of document.querySelectorAll('[data-race]')) {
+    new Race(node, tumble.panels[node.dataset.race], Figure);
+    figures.push(...node.querySelectorAll('[data-small]'));
+  }
   const told = figures.find(node => 'live' in node.dataset && location.hash.startsWith(`#${node.dataset.live}=`));
   // What moves comes after all that is read.
   const watch = async () => {

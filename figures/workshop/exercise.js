@@ -36,7 +36,7 @@ export async function openExercise(place) {
   }
 
   async function judge() {
-    await Promise.all([script('headers'), script('judge')]);
+    await Promise.all([script('headers'), script('judge'), script(`${id}-judged`)]);
     for (const file of facts.data) {
       const [name] = file.split('/').slice(-1);
       await script(name.replace('.txt', ''));

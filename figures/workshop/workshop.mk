@@ -58,7 +58,9 @@ $(WORKED:%=$(WORKSHOP)/%.o): $(WORKSHOP)/%.o: figures/workshop/workshop.mk
 	$(Q)wasm-ld -r $(filter %.o,$^) -o $@
 $(WORKED:%=$(WORKSHOP)/%.js): $(WORKSHOP)/%.js: figures/workshop/pack.mjs exercises/cut.awk
 	@echo "  pack  $@"
-	$(Q)node figures/workshop/pack.mjs exercise $* $(WORKSHOP)/$*.o $(ANSWER_$*) $(SOURCE_$*) > $@
+	$(Q)node figures/workshop/pack.mjs exercise $* $(WORKSHOP)/$*.o $(SOURCE_$*) > $@
+$(WORKED:%=$(WORKSHOP)/%-judged.js): $(WORKSHOP)/%-judged.js: $(WORKSHOP)/%.o figures/workshop/pack.mjs
+	$(Q)node figures/workshop/pack.mjs judged $* $(WORKSHOP)/$*.o $(ANSWER_$*) > $@
 
 # --- What a reader's module moves in ------------------------------------------------
 FIGURED := $(foreach e,$(WORKED),$(if $(FIGURE_$e),$e))
@@ -129,6 +131,6 @@ $(WORKSHOP)/pairs-all.js: tests/data/pairs-all.txt figures/workshop/pack.mjs
 
 # All that a page needs, to be copied beside it into workshop/; the compiler's pieces
 # are counted when they are there.
-WORKSHOP_FILES := $(addprefix $(WORKSHOP)/,workshop.js editor.js worker.js player.js headers.js judge.js runner.js pairs-all.js $(STAGES:%=stage-%.js) $(WORKED:%=%.js) $(FIGURED:%=figure-%.js))
+WORKSHOP_FILES := $(addprefix $(WORKSHOP)/,workshop.js editor.js worker.js player.js headers.js judge.js runner.js pairs-all.js $(STAGES:%=stage-%.js) $(WORKED:%=%.js) $(WORKED:%=%-judged.js) $(FIGURED:%=figure-%.js))
 .PHONY: workshop-files
 workshop-files: $(WORKSHOP_FILES)

@@ -57,6 +57,9 @@ watch_plan drape_plan(const drape *d);
 // by how much the cloth must be stretched (hard_springs.h).
 bool drape_watch(const drape *d, world *w, verdict *v);
 
+// Do bodies fall on it, so that it must be stretched?
+bool drape_is_struck(const drape *d);
+
 // The world of a row, begun; start 0: as it is; 1, 2, ...: perturbed, each in
 // its own way.
 void drape_build(setting *s, const drape *d, int start);

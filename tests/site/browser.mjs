@@ -11,3 +11,15 @@ export const launch = build => needs(build)('playwright-core').chromium.launch({
   executablePath: ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'].find(existsSync),
   args: ['--no-sandbox', '--enable-unsafe-swiftshader'],
 });
+
+// Does the same with each of some things, so many of them at a time: most of what a
+// page takes is waiting.
+export async function together(most, things, act) {
+  const queue = [...things.entries()];
+  await Promise.all(Array.from({ length: most }, async () => {
+    while (queue.length) {
+      const [k, one] = queue.shift();
+      await act(one, k);
+    }
+  }));
+}

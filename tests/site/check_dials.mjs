@@ -7,7 +7,7 @@
 import { readFileSync, readdirSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
 import { resolve } from 'node:path';
-import { launch } from './browser.mjs';
+import { launch, together } from './browser.mjs';
 import { bench } from './bench.mjs';
 
 const FRAMES = 30;              // of each corner: half a second
@@ -15,6 +15,7 @@ const TURNS = 60, MOST = 8;     // of a walk; and frames after each of them, at 
 // A frame may take as long as so many million turns of a loop take in the same page:
 // one second where a million take 6.6 ms.  Who waits longer thinks that it hangs.
 const LIMIT = 150, TRIES = 3;   // so often a busy machine may be late
+const TOGETHER = 2;             // figures, at a time
 const TOLD = 20;                // faults that are printed
 
 const [folder, seeded, ...wanted] = process.argv.slice(2);
@@ -105,17 +106,17 @@ async function checkWalk(figure, file, name, { dials, buttons, panes }) {
 }
 
 console.log(`dials: the seed is ${seed}`);
-for (const page of readdirSync(site).filter(file => file.endsWith('.html')))
-  for (const [, name] of readFileSync(`${site}/${page}`, 'utf8').matchAll(/data-live="(\w+)"/g)) {
-    if (wanted.length && !wanted.includes(name)) continue;
-    const file = `${site}/${page}`;
-    let figure = await open(file, name);
-    const panel = await figure.evaluate(node => node.live.panel);
-    figure = await checkCorners(figure, file, name, panel);
-    figure = await checkWalk(figure, file, name, panel);
-    await figure.page().close();
-    sum.figures++;
-  }
+const all = readdirSync(site).filter(file => file.endsWith('.html')).flatMap(page =>
+  [...readFileSync(`${site}/${page}`, 'utf8').matchAll(/data-live="(\w+)"/g)].map(found => ({ file: `${site}/${page}`, name: found[1] })))
+  .filter(({ name }) => !wanted.length || wanted.includes(name));
+await together(TOGETHER, all, async ({ file, name }) => {
+  let figure = await open(file, name);
+  const panel = await figure.evaluate(node => node.live.panel);
+  figure = await checkCorners(figure, file, name, panel);
+  figure = await checkWalk(figure, file, name, panel);
+  await figure.page().close();
+  sum.figures++;
+});
 await browser.close();
 console.log(`dials: ${sum.figures} figures, ${sum.corners} corners, ${sum.turns} turns at random, ${sum.faults} faults`);
 console.log(`dials: the longest was ${longest.told}`);

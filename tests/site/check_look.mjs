@@ -7,7 +7,7 @@
 import { readFileSync, readdirSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
 import { resolve } from 'node:path';
-import { launch } from './browser.mjs';
+import { launch, together } from './browser.mjs';
 
 const build = resolve(process.argv[2]), site = `${build}/site`;
 const WIDE = { width: 1300, height: 900 }, PHONE = { width: 390, height: 844 };
@@ -15,7 +15,7 @@ const SCREENS = 2;              // within so many stands the first live figure
 const FIGURES = 3;              // of a chapter, at least
 const FINGER = 44;              // px, each way
 const LAST = 21;                // chapters after it are lists and appendices
-const WAIT = { timeout: 120e3 };
+const WAIT = { timeout: 120e3 }, TOGETHER = 3;      // pages, at a time
 
 let checks = 0, faults = 0;
 function check(holds, sentence) {
@@ -51,10 +51,10 @@ for (const name of names) {
 
 // --- Chapters -----------------------------------------------------------------------
 // From the top of the page to the top of the first figure, in screens.
-for (const name of chapters) {
+await together(TOGETHER, chapters, async name => {
   const page = await open(name, { viewport: WIDE, reducedMotion: 'reduce' });
   const at = await page.evaluate(() => {
-    const first = document.querySelector('[data-live], [data-small]');
+    const first = document.querySelector('[data-live], [data-small], [data-race]');
     return first ? (first.getBoundingClientRect().top + scrollY) / innerHeight : Infinity;
   });
   check(at < SCREENS, `${name} has a live figure within ${SCREENS} screens: it is at ${at.toFixed(1)}`);
@@ -62,17 +62,17 @@ for (const name of chapters) {
   const count = await page.locator('[data-live], [data-small]').count();
   check(count >= FIGURES, `${name} has ${FIGURES} figures that move: ${count}`);
   figures += count;
-  const placed = await page.locator('[data-small]').count(), listed = openings.filter(line => `${line[0]}.html` === name).length;
+  const placed = await page.locator('figure[data-small], [data-race]').count(), listed = openings.filter(line => `${line[0]}.html` === name).length;
   check(placed === listed, `${name} has all of its small figures (openings.txt): ${placed} of ${listed}`);
   // One idea each: what has no chart has one dial at most.
   const many = await page.evaluate(() => [...document.querySelectorAll('.live-small')]
     .filter(figure => figure.querySelectorAll('.live-dial, .live-choice').length > 1).map(figure => figure.id));
   check(!many.length, `${name}: small figures have one dial at most: ${many}`);
   await page.close();
-}
+});
 
 // What a finger touches; and the last dial of each figure turns beside its stage.
-for (const name of chapters) {
+await together(TOGETHER, chapters, async name => {
   const page = await open(name, { viewport: PHONE, hasTouch: true, reducedMotion: 'reduce' });
   const small = await page.evaluate(least => [...document.querySelectorAll('.live-figure :is(button, input[type=range], .live-choice span)')]
     .map(node => ({ node, box: node.getBoundingClientRect() })).filter(({ box }) => box.height < least)
@@ -87,12 +87,12 @@ for (const name of chapters) {
   }).map(figure => figure.id));
   check(!gone.length, `${name}: the stage is seen while the last dial turns: ${gone}`);
   await page.close();
-}
+});
 
 // --- Small figures --------------------------------------------------------------------
 // One that is turned from the start has no hash of its own.
 const settled = node => node.elementHandle().then(handle => node.page().waitForFunction(({ dataset }) => dataset.ready && (dataset.hash || dataset.set) || dataset.trapped || dataset.failed, handle, WAIT));
-for (const name of ['index.html', ...chapters]) {
+await together(TOGETHER, ['index.html', ...chapters], async name => {
   const page = await open(name, { viewport: WIDE, reducedMotion: 'reduce' });
   for (const figure of await page.locator('[data-small]').all()) {
     await figure.evaluate(node => node.scrollIntoView({ block: 'center' }));
@@ -109,7 +109,7 @@ for (const name of ['index.html', ...chapters]) {
   }
   check(page.errors.length === 0, `${name} has no error in its console: ${page.errors[0]}`);
   await page.close();
-}
+});
 
 // --- The first page -------------------------------------------------------------------
 {

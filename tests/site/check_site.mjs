@@ -5,7 +5,7 @@
 import { readdirSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
 import { resolve } from 'node:path';
-import { launch, needs } from './browser.mjs';
+import { launch, needs, together } from './browser.mjs';
 import { serve } from './server.mjs';
 import { checkLinks } from './links.mjs';
 
@@ -23,6 +23,7 @@ const LOAD = 2, TRIES = 3;
 const TRIPS = 2 * NETWORK.latency / 1e3;            // s
 // What this network brings in two seconds, but for the two round trips.
 const BYTES = (2 - TRIPS) * NETWORK.downloadThroughput;
+const TOGETHER = 4;                                 // pages, at a time
 const TYPE = 12;                                    // pixels, at least
 const WAIT = 600e3;                                 // ms for a live figure's frame 60, and all else
 
@@ -91,10 +92,26 @@ async function checkCharts(page, name) {
   for (const chart of small) fault(name, `the words of ${chart} have less than ${TYPE} pixels`);
 }
 
+const CONTROL = 'a[href], button, input, select, textarea, summary, [tabindex="0"], [contenteditable="true"]';
+// Where so many presses of Tab lead, in turn: numbers of stops, or what else it is.  A
+// figure that was not there before brings controls of its own.  One press waits for no
+// other, as the browser takes them in turn.
+async function tabThrough(page, presses) {
+  await page.evaluate(control => {
+    window.met = [];
+    document.addEventListener('focusin', ({ target }) => window.met.push(target.dataset.stop
+      ?? `${target.tagName}.${target.className}${target.matches(control) ? ' new' : ''}`));
+  }, CONTROL);
+  const session = await page.context().newCDPSession(page);
+  const key = type => session.send('Input.dispatchKeyEvent', { type, key: 'Tab', code: 'Tab', windowsVirtualKeyCode: 9 });
+  await Promise.all(Array.from({ length: presses }, () => [key('rawKeyDown'), key('keyUp')]).flat());
+  await session.detach();
+  return page.evaluate(() => window.met);
+}
+
 // Tab has to come to each control, and to what scrolls, and to nothing else.
 async function checkTab(page, name) {
-  const wanted = await page.evaluate(() => {
-    const control = 'a[href], button, input, select, textarea, summary, [tabindex="0"], [contenteditable="true"]';
+  const wanted = await page.evaluate(control => {
     const scrolls = node => node.scrollWidth > node.clientWidth && /auto|scroll/.test(getComputedStyle(node).overflowX) && !node.querySelector(control);
     const stops = [...document.querySelectorAll('body *')].filter(node =>
       (node.matches(control) || scrolls(node)) && !node.disabled && node.tabIndex >= -1 && node.checkVisibility({ visibilityProperty: true })
@@ -103,14 +120,11 @@ async function checkTab(page, name) {
     document.activeElement.blur();
     scrollTo(0, 0);
     return stops.map(node => (node.textContent || node.ariaLabel || node.className).trim().slice(0, 40));
-  });
-  const seen = new Set();
-  for (let k = 0; k < wanted.length + 20; k++) {
-    await page.keyboard.press('Tab');
-    const stop = await page.evaluate(() => document.activeElement === document.body ? null
-      : document.activeElement.dataset.stop ?? `${document.activeElement.tagName}.${document.activeElement.className}`);
-    if (stop === null || seen.has(stop)) break;
-    if (!/^\d+$/.test(stop)) fault(name, `Tab comes to ${stop}, which is no control`);
+  }, CONTROL);
+  const met = await tabThrough(page, wanted.length + 20), seen = new Set();
+  for (const stop of met) {
+    if (seen.has(stop)) break;
+    if (!/^\d+$|new$/.test(stop)) fault(name, `Tab comes to ${stop}, which is no control`);
     seen.add(stop);
   }
   wanted.forEach((text, k) => seen.has(String(k)) || fault(name, `Tab does not come to "${text}"`));
@@ -141,11 +155,8 @@ async function checkLive(page, name) {
       hash = await figure.evaluate(({ dataset }) => dataset.trapped || dataset.ready && dataset.hash);
     }
     const [live, wants] = await figure.evaluate(node => [node.dataset.live, node.dataset.wants]);
-    // What moves is slow to paint without a graphics card: the rest is looked at in peace.
-    await figure.evaluate(node => node.live?.loop.play(false));
     if (hash !== wants) fault(name, `${live} comes to ${hash}, and ${wants} is wanted`);
   }
-  await page.evaluate(() => document.querySelectorAll('[data-small]').forEach(node => node.live?.loop.play(false)));
   return figures.length;
 }
 
@@ -156,11 +167,11 @@ async function checkSearch(browser, name, finds) {
   for (const [words, wanted] of finds) {
     await page.keyboard.press('/');
     await page.fill('input[type="search"]', words);
-    await page.waitForSelector('.found:not([hidden]) a', { timeout: 10e3 }).catch(() => fault(name, `a search for ${words} finds nothing`));
+    await page.waitForSelector('.found:not([hidden]) a', { timeout: 60e3 }).catch(() => fault(name, `a search for ${words} finds nothing`));
     const first = await page.locator('.found a').first().getAttribute('href');
     if (!first?.startsWith(wanted)) fault(name, `a search for ${words} leads to ${first}, and ${wanted} is wanted`);
     await page.keyboard.press('Enter');
-    await page.waitForURL(url => url.href.includes(wanted), { timeout: 10e3 }).catch(() => fault(name, `Enter does not lead to ${wanted}`));
+    await page.waitForURL(url => url.href.includes(wanted), { timeout: 60e3 }).catch(() => fault(name, `Enter does not lead to ${wanted}`));
   }
   console.log(`${finds.length} searches`);
   await page.context().close();
@@ -181,8 +192,10 @@ const browser = await launch(build);
 const host = await serve(resolve(folder));
 // The pages of exercises are made alike: one stands for all.
 const names = named.length ? named : readdirSync(folder).filter(file => file.endsWith('.html') && !/^write-(?!01-step)/.test(file));
-for (const name of names) {
+async function checkPage(name) {
   const { page, seconds, times, bytes } = await load(browser, name, host.address);
+  // What moves is slow to paint without a graphics card: it stands from here on.
+  await page.emulateMedia({ reducedMotion: 'reduce' });
   const figures = await checkLive(page, name);
   await checkWidth(page, name);
   await checkCharts(page, name);
@@ -193,6 +206,8 @@ for (const name of names) {
     `  ${String(stops).padStart(3)} stops of Tab${figures ? `, ${figures} live figures` : ''}`);
   await page.context().close();
 }
+// Most of the time a page waits for the slow network: some are looked at together.
+await together(TOGETHER, names, checkPage);
 await checkSearch(browser, 'index.html', [
   ['gjk_distance', '04-gjk.html#gjk_distance'], ['minkowski diff', '04-gjk.html'], ['why does my cloth stretch', '16-cloth.html'],
 ]);

@@ -1,20 +1,22 @@
 // check_workshop.mjs - is an exercise judged in the page as it is at the desk?  Of one
 // of each chapter the book's answer passes, and wrong answers are told in the desk's
 // sentence; and the page does what a reader expects of it:
-//   node check_workshop.mjs BUILD [WRONGS [NN-name...]]      (or reader, or little)
+//   node check_workshop.mjs BUILD [WRONGS [NN-name...]]      (or reader, keys, little)
 // WRONGS: so many wrong answers of each, from the first to the last (0: all).
 
-import { execFileSync } from 'node:child_process';
+import { execFile, execFileSync } from 'node:child_process';
 import { copyFileSync, existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
-import { launch } from './browser.mjs';
+import { promisify } from 'node:util';
+import { launch, together } from './browser.mjs';
 import { serve } from './server.mjs';
 
 const build = resolve(process.argv[2]), most = +(process.argv[3] ?? 2);
 const ids = process.argv.length > 4 ? process.argv.slice(4)
-  : ['01-step', '02-stick', '03-rank', '04-nearest', '05-features', '06-ball', '07-separate', '08-lists', '09-scene', 'reader', 'little'];
+  : ['01-step', '02-stick', '03-rank', '04-nearest', '05-features', '06-ball', '07-separate', '08-lists', '09-scene', 'reader', 'keys', 'little'];
 const site = `${build}/site`, WAIT = { timeout: 300e3 };
+const TOGETHER = 2;             // exercises, at a time
 const TRIES = 3;                // so often a busy machine may be late
 if (!existsSync(`${site}/write-01-step.html`)) { console.log('workshop: the site was made without it'); process.exit(0); }
 
@@ -37,13 +39,13 @@ function answersTo(id) {
 }
 
 // What the desk says of the wrong ones.
-function deskOf(id, wrong) {
+async function deskOf(id, wrong) {
   const folder = `${build}/workshop/desk/${id}`;
   for (const { number, source } of wrong) {
     mkdirSync(`${folder}/${number}`, { recursive: true });
     writeFileSync(`${folder}/${number}/mine.c`, source);
   }
-  execFileSync('sh', ['tests/site/desk.sh', id.replace('-', '/'), folder, ...wrong.map(one => String(one.number))], { stdio: 'ignore', env: { ...process.env, BUILD: process.argv[2] } });
+  await promisify(execFile)('sh', ['tests/site/desk.sh', id.replace('-', '/'), folder, ...wrong.map(one => String(one.number))], { env: { ...process.env, BUILD: process.argv[2] } });
   return wrong.map(({ number }) => readFileSync(`${folder}/${number}/told`, 'utf8'));
 }
 
@@ -109,7 +111,7 @@ async function checkGhost(page, right) {
 }
 
 async function checkExercise(id, address) {
-  const { right, wrong } = answersTo(id), desk = deskOf(id, wrong);
+  const { right, wrong } = answersTo(id), told = deskOf(id, wrong);
   const page = await open(address);
   check(!page.asked.some(url => /clang-\d/.test(url)), `${id}: the compiler is not fetched before it is asked for`);
   await put(page, right);
@@ -119,7 +121,7 @@ async function checkExercise(id, address) {
   if (await page.getByRole('button', { name: 'See it move' }).count()) await checkMotion(page, id);
   if (id === '01-step') await checkGhost(page, right);
   // From here on there is no network, and none is asked for.
-  const asked = page.asked.length, times = [];
+  const asked = page.asked.length, times = [], desk = await told;
   await page.context().setOffline(true);
   for (const [k, { number, what, source }] of wrong.entries()) {
     await put(page, source);
@@ -197,6 +199,42 @@ async function checkReader() {
   await page.context().close();
 }
 
+// Tab goes into the editor and, after Escape, out of it; so does what was typed to the
+// judge, and on to the next exercise: five in a row, without a mouse.
+async function checkKeys(all) {
+  const page = await open(disk(all[0]));
+  const reach = async (what, where) => {
+    for (let k = 0; k < 120; k++) {
+      await page.keyboard.press('Tab');
+      if (await page.evaluate(where => document.activeElement.matches(where), where)) return true;
+    }
+    check(false, `Tab comes to ${what}`);
+    return false;
+  };
+  for (const id of all) {
+    if (!page.url().includes(id)) {
+      await page.goto(disk(id));
+      await page.waitForFunction(() => document.querySelector('[data-exercise]').desk, null, WAIT);
+    }
+    await page.emulateMedia({ reducedMotion: 'reduce' });
+    if (!await reach(`the editor of ${id}`, '.cm-content')) continue;
+    await page.keyboard.press('Control+a');
+    await page.keyboard.insertText(answersTo(id).right);
+    await page.keyboard.press('Control+Enter');
+    await page.waitForFunction(() => /tests? pass/.test(document.querySelector('.workshop-said').textContent), null, WAIT).catch(() => {});
+    check(/all \d+ tests pass/.test(await said(page)), `${id} is solved by keys: ${(await said(page)).slice(0, 200)}`);
+    await page.keyboard.press('Escape');
+    if (!await reach(`the next exercise after ${id}`, '.workshop-said a.next, .task a.next')) continue;
+    const next = await page.evaluate(() => document.activeElement.getAttribute('href'));
+    await page.keyboard.press('Enter');
+    await page.waitForURL(url => url.href.endsWith(next), WAIT).catch(() => check(false, `Enter leads to ${next}`));
+    await page.waitForFunction(() => document.querySelector('[data-exercise]').desk, null, WAIT);
+    console.log(`${id}: by keys, and on to ${next}`);
+  }
+  check(page.errors.length === 0, `no error in the console: ${page.errors[0]}`);
+  await page.context().close();
+}
+
 // --- The little program --------------------------------------------------------------
 // The book's program of a stage runs with the desk's bits, another one does not; what
 // a program draws moves.
@@ -254,11 +292,12 @@ async function checkLittle(stages) {
   await page.context().close();
 }
 
-for (const [k, id] of ids.entries()) {
+await together(TOGETHER, ids, async (id, k) => {
   if (id === 'reader') await checkReader();
+  else if (id === 'keys') await checkKeys(['01-step', '02-stick', '03-rank', '06-ball', '07-separate']);
   else if (id === 'little') await checkLittle(['00a', '02c', '05c', '07c', '13e', '16c']);
   else await checkExercise(id, k % 2 ? `${host.address}write-${id}.html` : disk(id));
-}
+});
 await browser.close();
 host.end();
 console.log(`workshop: ${checks} checks, ${faults} faults`);

@@ -713,7 +713,7 @@ bool certificate_is_due(certificate *c, const soft_frame *f)
 }
 
 // What is proved begins the next way.
-static void go_on(certificate *c)
+static void begin_next(certificate *c)
 {
     vec3 *ended = c->at[1];
     c->at[1] = c->at[0];
@@ -739,7 +739,7 @@ void certificate_end(certificate *c, const soft_frame *f)
         int n = f->body[b].first + body_particles(&f->body[b]);
         for (int v = f->body[b].first; v < n; v++) take_back(&l, v);
     }
-    go_on(c);
+    begin_next(c);
 }
 //<
 

@@ -510,21 +510,24 @@ static bool has_room(const contact_solver *s, const block *k)
     return has;
 }
 
+// What they gave back are impulses of this substep, whatever they began it with.
 bool solver_take_new(contact_solver *s, const solver_frame *f,
                      contact *const *table, const real *reach)
 {
-    preparation p = { .s = s, .f = f,
+    solver_frame here = *f;
+    here.age = NULL;
+    preparation p = { .s = s, .f = &here,
                       .table = (const contact *const *)table };
     bool fits = true;
     for (int k = s->first; k < s->end; k++) {
         if (!s->active[k].is_new) continue;
-        activate(&s->active[k], table[k], f, reach[k]);
+        activate(&s->active[k], table[k], &here, reach[k]);
         s->strikes |= solver_strikes(f, table[k]);
     }
     for (int n = 0; n < s->blocks; n++) fits &= has_room(s, &s->block[n]);
     if (!fits) {
         give_blocks(s, table, false);
-        return solver_prepare(s, f, p.table);
+        return solver_prepare(s, &here, p.table);
     }
     for (int n = 0; n < s->blocks; n++)
         if (has_new(s, &s->block[n])) passes_best()->refill(&p, n);

@@ -357,6 +357,36 @@ START_TEST(old_impulses_are_taken_in_part)
 }
 END_TEST
 
+static void find_again(pile *p)
+{
+    contact *table[PILE_CONTACTS];
+    set_table(p, table);
+    for (int k = 0; k < p->contacts; k++) solver.active[k].is_new = k % 3 > 0;
+    solver_give_new(&solver, table);
+    ck_assert(solver_take_new(&solver, &p->frame, table, p->reach));
+}
+
+// Rejects: an impulse that is taken for one of the substep before whenever its
+// contact is found again, and grows with every time; a load that does.
+START_TEST(contacts_that_are_found_again_keep_their_impulses)
+{
+    static real age[PILE_BODIES];
+    for (int n = 0; n < 10; n++) {
+        pile_any(&one, 20, 40, 0);
+        for (int b = 0; b < PILE_BODIES; b++) age[b] = one.frame.h / (1 + n);
+        one.frame.age = age;
+        other = one;
+        pile_find(&one);
+        prepare(&one);
+        for (int times = 0; times < 3; times++) find_again(&one);
+        substep(&one, GRAVITY);
+        store(&one);
+        run(&other, GRAVITY, 1);
+        ck_assert(difference(&one, &other) <= SAME);
+    }
+}
+END_TEST
+
 // Some frames of four substeps, of contacts that stay: their gaps change, and
 // in the second frame the substep is of another length, and nothing else.
 static void run_frames(pile *p, bool anew)
@@ -849,6 +879,7 @@ int main(void)
         a_hundred_contacts_on_one_body_share_it,
         points_out_of_reach_take_no_part,
         old_impulses_are_taken_in_part,
+        contacts_that_are_found_again_keep_their_impulses,
         blocks_that_are_kept_give_the_bits_of_new_ones,
         gaps_are_seen_again_where_bodies_have_been_moved,
         what_is_going_to_strike_is_left_to_the_impact,

@@ -22,8 +22,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#define TUMBLE_VERSION "2.0.0"
-#define TUMBLE_VERSION_NUMBER 20000     // 10000 major + 100 minor + patch
+#define TUMBLE_VERSION "3.0.0"
+#define TUMBLE_VERSION_NUMBER 30000     // 10000 major + 100 minor + patch
 
 #ifdef __cplusplus
 extern "C" {
@@ -764,6 +764,132 @@ void tumble_world_draw(const tumble_world *w, const tumble_pen *pen);
 #endif
 #ifdef __cplusplus
 }
+#endif
+//<
+
+//> tumble-old-names
+//>   A program that was written for version 2 goes on with the names that it has,
+//>   for one version.
+// --- The names of version 2 --------------------------------------------------
+// They go with version 4.  A program that wants none of them, or wants them for
+// itself, defines TUMBLE_NO_OLD_NAMES before it includes this.
+#ifndef TUMBLE_NO_OLD_NAMES
+#define tumble_turn tumble_quat_turn
+#define tumble_matrix tumble_quat_matrix
+#define tumble_from_matrix tumble_quat_from_matrix
+#define tumble_rotate tumble_quat_rotate
+#define tumble_to_world tumble_pose_to_world
+#define tumble_to_local tumble_pose_to_local
+#define tumble_make tumble_world_make
+#define tumble_free tumble_world_free
+#define tumble_failure tumble_world_failure
+#define tumble_forget_failure tumble_world_forget_failure
+#define tumble_step tumble_world_step
+#define tumble_time tumble_world_time
+#define tumble_set_gravity tumble_world_set_gravity
+#define tumble_last_step tumble_world_last_step
+#define tumble_measure tumble_world_measure
+#define tumble_hash tumble_world_hash
+#define tumble_save tumble_world_save
+#define tumble_load tumble_world_load
+#define tumble_restore tumble_world_restore
+#define tumble_run_on tumble_world_run_on
+#define tumble_get_world_options tumble_world_get_options
+#define tumble_bodies tumble_world_bodies
+#define tumble_joints tumble_world_joints
+#define tumble_moved tumble_world_moved
+#define tumble_ray tumble_world_ray
+#define tumble_ray_all tumble_world_ray_all
+#define tumble_ray_soft tumble_world_ray_soft
+#define tumble_nearest tumble_world_nearest
+#define tumble_nearest_soft tumble_world_nearest_soft
+#define tumble_overlap tumble_world_overlap
+#define tumble_sweep tumble_world_sweep
+#define tumble_sweep_turning tumble_world_sweep_turning
+#define tumble_contacts tumble_world_contacts
+#define tumble_events tumble_world_events
+#define tumble_listen tumble_world_listen
+#define tumble_impulses tumble_world_impulses
+#define tumble_choose_contacts tumble_world_choose_contacts
+#define tumble_sensor_events tumble_world_sensor_events
+#define tumble_draw tumble_world_draw
+#define tumble_add_plane tumble_plane_add
+#define tumble_remove_plane tumble_plane_remove
+#define tumble_box tumble_shape_box
+#define tumble_icosahedron tumble_shape_icosahedron
+#define tumble_sphere tumble_shape_sphere
+#define tumble_capsule tumble_shape_capsule
+#define tumble_hull tumble_shape_hull
+#define tumble_obj tumble_shape_obj
+#define tumble_rope tumble_shape_rope
+#define tumble_cloth tumble_shape_cloth
+#define tumble_weigh tumble_shape_weighed
+#define tumble_round tumble_shape_rounded
+#define tumble_drop_shape tumble_shape_remove
+#define tumble_at tumble_body_at
+#define tumble_add tumble_body_add
+#define tumble_add_pieces tumble_body_add_pieces
+#define tumble_add_compound tumble_body_add_compound
+#define tumble_add_mesh tumble_body_add_mesh
+#define tumble_add_heights tumble_body_add_heights
+#define tumble_remove tumble_body_remove
+#define tumble_has tumble_body_exists
+#define tumble_ground tumble_body_ground
+#define tumble_get_pose tumble_body_pose
+#define tumble_get_poses tumble_body_poses
+#define tumble_get_velocities tumble_body_velocities
+#define tumble_position tumble_body_position
+#define tumble_velocity tumble_body_velocity
+#define tumble_spin tumble_body_spin
+#define tumble_mass tumble_body_mass
+#define tumble_user tumble_body_user
+#define tumble_shape_of tumble_body_shape
+#define tumble_get_options tumble_body_get_options
+#define tumble_set_pose tumble_body_set_pose
+#define tumble_set_velocity tumble_body_set_velocity
+#define tumble_push tumble_body_push
+#define tumble_force tumble_body_force
+#define tumble_force_at tumble_body_force_at
+#define tumble_wake tumble_body_wake
+#define tumble_sleep tumble_body_sleep
+#define tumble_is_awake tumble_body_is_awake
+#define tumble_set_material tumble_body_set_material
+#define tumble_set_damping tumble_body_set_damping
+#define tumble_set_filter tumble_body_set_filter
+#define tumble_set_user tumble_body_set_user
+#define tumble_set_kind tumble_body_set_kind
+#define tumble_set_gravity_scale tumble_body_set_gravity_scale
+#define tumble_gravity_scale tumble_body_gravity_scale
+#define tumble_set_locked tumble_body_set_locked
+#define tumble_locked tumble_body_locked
+#define tumble_vertices tumble_body_vertices
+#define tumble_triangles tumble_body_triangles
+#define tumble_pin tumble_body_pin
+#define tumble_unpin tumble_body_unpin
+#define tumble_vertex tumble_body_vertex
+#define tumble_push_vertex tumble_body_push_vertex
+#define tumble_set_bending tumble_body_set_bending
+#define tumble_set_stretch tumble_body_set_stretch
+#define tumble_set_sensor tumble_body_set_sensor
+#define tumble_is_sensor tumble_body_is_sensor
+#define tumble_sensed tumble_body_sensed
+#define tumble_ball tumble_joint_ball
+#define tumble_hinge tumble_joint_hinge
+#define tumble_slider tumble_joint_slider
+#define tumble_fix tumble_joint_fixed
+#define tumble_distance tumble_joint_distance
+#define tumble_hang tumble_joint_hang
+#define tumble_unjoin tumble_joint_remove
+#define tumble_is_joined tumble_joint_exists
+#define tumble_set_limits tumble_joint_set_limits
+#define tumble_set_cone tumble_joint_set_cone
+#define tumble_set_motor tumble_joint_set_motor
+#define tumble_set_spring tumble_joint_set_spring
+#define tumble_set_servo tumble_joint_set_servo
+#define tumble_set_strength tumble_joint_set_strength
+#define tumble_set_touching tumble_joint_set_touching
+#define tumble_may_touch tumble_joint_may_touch
+#define tumble_hinge_angle tumble_joint_angle
 #endif
 #endif
 //<

@@ -58,7 +58,9 @@ def hills():
 
 
 def alone(w):
-    """Many at once is what one by one is; failures; a saved world; numpy."""
+    """Many at once is what one by one is; failures; a saved world; old names; numpy."""
+    assert tumble.World.box is tumble.World.shape_box and tumble.at is tumble.body_at and tumble.turn is tumble.quat_turn
+    assert tumble.World.unjoin is tumble.World.joint_remove and not hasattr(tumble.World, "get_poses")
     bodies = w.bodies()
     rows = w.poses().tolist()
     assert len(rows) == len(bodies) == 16

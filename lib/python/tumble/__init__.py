@@ -207,3 +207,11 @@ def body_at(x, y, z, **options):
     for name, value in options.items():
         setattr(o, name, _given(dict(o._fields_)[name], value))
     return o
+
+
+# The names of version 2, as the header has them.
+for _key, _new in _header.old_names.items():
+    if hasattr(World, _short(_new)) and _short(_new) not in _hidden:
+        setattr(World, _key[7:], getattr(World, _short(_new)))
+    elif _short(_new) in globals():
+        globals()[_key[7:]] = globals()[_short(_new)]

@@ -8,11 +8,11 @@
 // world's, right-handed; gravity acts along -y unless options say otherwise.
 //
 // What fails changes nothing: it returns false, 0, NULL or an id of zeros, and
-// tumble_failure says in a sentence what failed first, and why.  An id of zeros
-// and one of something that is gone are refused in the same way, and so is a
-// world that is NULL: a program may go on, and ask once at its end.  Questions
-// about a `const` world only return, and keep no sentence.  A world is used by
-// one thread at a time.
+// tumble_world_failure says in a sentence what failed first, and why.  An id of
+// zeros and one of something that is gone are refused in the same way, and so
+// is a world that is NULL: a program may go on, and ask once at its end. 
+// Questions about a `const` world only return, and keep no sentence.  A world
+// is used by one thread at a time.
 // Pointers point to what they say; one that is written to may be NULL, and is
 // then left out.
 
@@ -22,8 +22,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#define TUMBLE_VERSION "2.0.0"
-#define TUMBLE_VERSION_NUMBER 20000     // 10000 major + 100 minor + patch
+#define TUMBLE_VERSION "3.0.0"
+#define TUMBLE_VERSION_NUMBER 30000     // 10000 major + 100 minor + patch
 
 #ifdef __cplusplus
 extern "C" {
@@ -61,21 +61,21 @@ static inline tumble_vec3 tumble_v(double x, double y, double z)
 }
 
 // The rotation by an angle (rad) about an axis of any length > 0.
-tumble_quat tumble_turn(tumble_vec3 axis, double angle);
+tumble_quat tumble_quat_turn(tumble_vec3 axis, double angle);
 
 // Its matrix, row by row: what it does to a column (x, y, z).
-void tumble_matrix(tumble_quat q, double m[9]);
+void tumble_quat_matrix(tumble_quat q, double m[9]);
 
 // The rotation that has this matrix.
-tumble_quat tumble_from_matrix(const double m[9]);
+tumble_quat tumble_quat_from_matrix(const double m[9]);
 
 // A vector, turned by q: as the axes of the shape have it -> as the world does.
-tumble_vec3 tumble_rotate(tumble_quat q, tumble_vec3 v);
+tumble_vec3 tumble_quat_rotate(tumble_quat q, tumble_vec3 v);
 
 // A point as a body at this pose has it (m, from its centre of mass, along the axes
 // of its shape) -> as the world does, and back.
-tumble_vec3 tumble_to_world(tumble_pose at, tumble_vec3 local);
-tumble_vec3 tumble_to_local(tumble_pose at, tumble_vec3 point);
+tumble_vec3 tumble_pose_to_world(tumble_pose at, tumble_vec3 local);
+tumble_vec3 tumble_pose_to_local(tumble_pose at, tumble_vec3 point);
 
 // TUMBLE_VERSION and TUMBLE_VERSION_NUMBER of the library that runs, which may be
 // another one than this header's.
@@ -126,33 +126,26 @@ typedef struct {
 tumble_options tumble_options_default(void);
 
 // A world without bodies; options may be NULL.  Fails (NULL) if an option is
-// out of range, or memory is refused: then tumble_failure(NULL) says which.
-tumble_world *tumble_make(const tumble_options *options);
+// out of range, or memory is refused: then tumble_world_failure(NULL) says
+// which.
+tumble_world *tumble_world_make(const tumble_options *options);
 
 // Frees it with all that is in it.  NULL is fine.
-void tumble_free(tumble_world *w);
+void tumble_world_free(tumble_world *w);
 
 // The sentence of the first failure, without a full stop, or NULL if there was
-// none since the last call of tumble_forget_failure.  It stays where it is
-// until then.  w = NULL: of making or loading a world, or of using one that is
-// NULL, in this thread.
-const char *tumble_failure(const tumble_world *w);
-void tumble_forget_failure(tumble_world *w);
+// none since the last call of tumble_world_forget_failure.  It stays where it
+// is until then.  w = NULL: of making or loading a world, or of using one that
+// is NULL, in this thread.
+const char *tumble_world_failure(const tumble_world *w);
+void tumble_world_forget_failure(tumble_world *w);
 
 // One step of options.dt.  Forces that were set act in it, and are gone.
-void tumble_step(tumble_world *w);
+void tumble_world_step(tumble_world *w);
 
 // s, that steps have taken in sum; rounded, so 60 steps of 1/60 s may be a
 // little less than 1 s.
-double tumble_time(const tumble_world *w);
-
-bool tumble_set_gravity(tumble_world *w, tumble_vec3 gravity);
-
-// The free side of a plane: normal . x >= offset (m, in the normal's lengths).
-// friction < 0: the world's.  All bodies wake when one comes or goes.
-tumble_plane tumble_add_plane(tumble_world *w, tumble_vec3 normal,
-                              double offset, double friction);
-bool tumble_remove_plane(tumble_world *w, tumble_plane p);
+double tumble_world_time(const tumble_world *w);
 
 // What the last step did, and what it could not do.
 typedef struct {
@@ -173,7 +166,7 @@ typedef struct {
     int broken;             // joints that broke
 } tumble_report;
 
-tumble_report tumble_last_step(const tumble_world *w);
+tumble_report tumble_world_last_step(const tumble_world *w);
 
 // How far from right is the world?  From the positions alone, slowly.
 typedef struct {
@@ -185,40 +178,62 @@ typedef struct {
     tumble_vec3 momentum, angular;      // kg m/s; kg m^2/s, about the origin
 } tumble_measures;
 
-tumble_measures tumble_measure(const tumble_world *w);
+tumble_measures tumble_world_measure(const tumble_world *w);
 
 // FNV-1a of all positions: equal bits, equal hash.
-unsigned long long tumble_hash(const tumble_world *w);
+unsigned long long tumble_world_hash(const tumble_world *w);
 
 // Writes all that w is to `room` bytes at `into`, and returns how many it takes;
 // if those have no room, the bytes are not to be used (room = 0: to ask).  No
 // byte changes in w.
-size_t tumble_save(const tumble_world *w, void *into, size_t room);
+size_t tumble_world_save(const tumble_world *w, void *into, size_t room);
 
 // A world from such bytes: every step of it has the bits that the next ones of w
 // had, and ids of w are good for it.  User pointers are the addresses that they
-// were, and it has no threads until tumble_run_on.  Fails (NULL) if the bytes
-// were cut or altered, and outside of the version and the kind of machine that
-// wrote them; then tumble_failure(NULL) says why.  (A checksum tells accidents:
-// bytes that somebody forged are not to be loaded.)
-tumble_world *tumble_load(const void *from, size_t size);
+// were, and it has no threads until tumble_world_run_on.  Fails (NULL) if the
+// bytes were cut or altered, and outside of the version and the kind of machine
+// that wrote them; then tumble_world_failure(NULL) says why.  (A checksum tells
+// accidents: bytes that somebody forged are not to be loaded.)
+tumble_world *tumble_world_load(const void *from, size_t size);
+
+// The same as tumble_world_load, put in the place of a world that is there: w
+// is a pointer to what was saved, and keeps its threads and its choice of
+// contacts.  Ids that the saved world gave are good, those that w gave since
+// are gone.  Costs as much memory and time as a load.  Fails, changing nothing,
+// as that does.
+bool tumble_world_restore(tumble_world *w, const void *from, size_t size);
 
 // Steps run as options.run and context say, from now on.
-void tumble_run_on(tumble_world *w,
-                   void (*run)(void *context,
-                               void (*work)(void *data, int item), void *data,
-                               int items),
-                   void *context);
+void tumble_world_run_on(tumble_world *w,
+                         void (*run)(void *context,
+                                     void (*work)(void *data, int item),
+                                     void *data, int items),
+                         void *context);
+
+// All bodies: writes `most` of them, and returns how many there are.
+int tumble_world_bodies(const tumble_world *w, tumble_body *out, int most);
+
+// All joints: writes `most` of them, and returns how many there are.
+int tumble_world_joints(const tumble_world *w, tumble_joint *out, int most);
+
+// Those that the last step moved, or may have moved, by an amount however small:
+// writes `most` of them, and returns how many there are.  All others stand where
+// they stood before it, to the bit, unless the program has put them elsewhere.  Of
+// a world that was loaded: none, until its first step.
+int tumble_world_moved(const tumble_world *w, tumble_body *out, int most);
+
+bool tumble_world_set_gravity(tumble_world *w, tumble_vec3 gravity);
 
 // The options of a world as they are now: substeps as they were chosen, gravity as
-// it was set last.  NULL has those that tumble_make(NULL) takes.
-tumble_options tumble_get_world_options(const tumble_world *w);
+// it was set last.  NULL has those that tumble_world_make(NULL) takes.
+tumble_options tumble_world_get_options(const tumble_world *w);
 
-// The same as tumble_load, put in the place of a world that is there: w is a pointer to
-// what was saved, and keeps its threads and its choice of contacts.  Ids that the saved
-// world gave are good, those that w gave since are gone.  Costs as much memory and time
-// as a load.  Fails, changing nothing, as that does.
-bool tumble_restore(tumble_world *w, const void *from, size_t size);
+// --- Planes ------------------------------------------------------------------
+// The free side of a plane: normal . x >= offset (m, in the normal's lengths).
+// friction < 0: the world's.  All bodies wake when one comes or goes.
+tumble_plane tumble_plane_add(tumble_world *w, tumble_vec3 normal,
+                              double offset, double friction);
+bool tumble_plane_remove(tumble_world *w, tumble_plane p);
 //<
 
 //> tumble-shapes
@@ -227,35 +242,34 @@ bool tumble_restore(tumble_world *w, const void *from, size_t size);
 // --- Shapes ------------------------------------------------------------------
 // A shape belongs to its world, and is good for many bodies.  Mass (kg) is that
 // of one body, evenly filled; its origin is its centre of mass.
-tumble_shape tumble_box(tumble_world *w, tumble_vec3 sides, double mass);
-tumble_shape tumble_icosahedron(tumble_world *w, double radius, double mass);
-tumble_shape tumble_sphere(tumble_world *w, double radius, double mass);
+tumble_shape tumble_shape_box(tumble_world *w, tumble_vec3 sides, double mass);
+tumble_shape tumble_shape_icosahedron(tumble_world *w, double radius,
+                                      double mass);
+tumble_shape tumble_shape_sphere(tumble_world *w, double radius, double mass);
 
 // All points within radius of a segment of this length along y.
-tumble_shape tumble_capsule(tumble_world *w, double length, double radius,
-                            double mass);
+tumble_shape tumble_shape_capsule(tumble_world *w, double length, double radius,
+                                  double mass);
 
 // The convex hull of n points.  Fails if they are fewer than four, flat, or not
 // finite.
-tumble_shape tumble_hull(tumble_world *w, const tumble_vec3 *point, int n,
-                         double mass);
+tumble_shape tumble_shape_hull(tumble_world *w, const tumble_vec3 *point, int n,
+                               double mass);
 
 // A convex body from a Wavefront OBJ file, scaled so that its furthest vertex
 // is at radius.  Fails with the file's name, the line and what is wrong there.
-tumble_shape tumble_obj(tumble_world *w, const char *path, double radius,
-                        double mass);
+tumble_shape tumble_shape_obj(tumble_world *w, const char *path, double radius,
+                              double mass);
 
 // A rope of n links along x, with n + 1 vertices; vertex 0 is at -x.  It is as
 // thick as 1.1 links: to rope and cloth each vertex is a ball of that width.
-tumble_shape tumble_rope(tumble_world *w, int n, double length, double mass);
+tumble_shape tumble_shape_rope(tumble_world *w, int n, double length,
+                               double mass);
 
 // A cloth of columns x rows vertices in the plane y = 0: width along x, depth
 // along z.  Vertex (i, j) is number j columns + i.
-tumble_shape tumble_cloth(tumble_world *w, int columns, int rows, double width,
-                          double depth, double mass);
-
-// Fails while a body is made of it.
-bool tumble_drop_shape(tumble_world *w, tumble_shape s);
+tumble_shape tumble_shape_cloth(tumble_world *w, int columns, int rows,
+                                double width, double depth, double mass);
 
 // A rigid shape as s is, with another mass (kg), another centre of mass (m, in
 // the frame of s, and inside it) and other moments of inertia about that centre
@@ -263,13 +277,17 @@ bool tumble_drop_shape(tumble_world *w, tumble_shape s);
 // yz.  The last three are -(sum of m x y), and so on.
 // Fails if no body can have them: a tensor that is not positive definite, or one
 // of whose principal moments is not less than the sum of the two others.
-tumble_shape tumble_weigh(tumble_world *w, tumble_shape s, double mass,
-                          tumble_vec3 center, const double inertia[6]);
+tumble_shape tumble_shape_weighed(tumble_world *w, tumble_shape s, double mass,
+                                  tumble_vec3 center, const double inertia[6]);
 
 // All points within radius (m) of a rigid shape with faces, as a box or a hull: with
 // round edges and corners, and larger by the radius on every side.  It has the mass
 // of s, evenly filled, and its origin is its own centre of mass.
-tumble_shape tumble_round(tumble_world *w, tumble_shape s, double radius);
+tumble_shape tumble_shape_rounded(tumble_world *w, tumble_shape s,
+                                  double radius);
+
+// Fails while a body is made of it.
+bool tumble_shape_remove(tumble_world *w, tumble_shape s);
 //<
 
 //> tumble-bodies
@@ -298,131 +316,132 @@ typedef struct {
 } tumble_body_options;
 
 // Dynamic, at rest, its centre of mass there; meets everything.
-tumble_body_options tumble_at(double x, double y, double z);
+tumble_body_options tumble_body_at(double x, double y, double z);
 
 // Adds a body, at any time.
-tumble_body tumble_add(tumble_world *w, tumble_shape s, tumble_body_options o);
+tumble_body tumble_body_add(tumble_world *w, tumble_shape s,
+                            tumble_body_options o);
 
 // Adds one static body of n rigid pieces, each with its own pose in the world;
 // of the options, kind and pose are not asked.
-tumble_body tumble_add_pieces(tumble_world *w, const tumble_shape *piece,
-                              const tumble_pose *pose, int n,
-                              tumble_body_options o);
+tumble_body tumble_body_add_pieces(tumble_world *w, const tumble_shape *piece,
+                                   const tumble_pose *pose, int n,
+                                   tumble_body_options o);
 
 // Adds one dynamic body of n rigid pieces that move as one, each with its own
 // pose in the frame of the body; o.pose says where that frame is.  Mass, centre
 // of mass and inertia are those of all pieces together; what two of them share
 // counts twice.  The body has copies of the shapes.
-tumble_body tumble_add_compound(tumble_world *w, const tumble_shape *piece,
-                                const tumble_pose *pose, int n,
-                                tumble_body_options o);
+tumble_body tumble_body_add_compound(tumble_world *w, const tumble_shape *piece,
+                                     const tumble_pose *pose, int n,
+                                     tumble_body_options o);
 
 // Adds one static body of triangles: three numbers of points each, counter-
 // clockwise seen from outside.  Behind them it is solid, as deep as `thickness`
 // (m; 0: as a side is long on average), and no deeper than halfway to what is
-// behind: from neither side does a centre of mass get in.  Points are in the frame of the pose, and are copied; kind is not
-// asked.  Triangles without an area, lower than a millionth of their longest
-// side, are left out.  A step costs as much as what of it lies near bodies; one
-// that lies on more than 2,000 triangles rubs too much.
+// behind: from neither side does a centre of mass get in.  Points are in the
+// frame of the pose, and are copied; kind is not asked.  Triangles without an
+// area, lower than a millionth of their longest side, are left out.  A step
+// costs as much as what of it lies near bodies; one that lies on more than 2,000
+// triangles rubs too much.
 // Fails if a number is not finite or names no point, or no triangle is left.
-tumble_body tumble_add_mesh(tumble_world *w, const tumble_vec3 *point,
-                            int points, const int *triangle, int triangles,
-                            double thickness, tumble_body_options o);
+tumble_body tumble_body_add_mesh(tumble_world *w, const tumble_vec3 *point,
+                                 int points, const int *triangle, int triangles,
+                                 double thickness, tumble_body_options o);
 
 // The same for a terrain of columns x rows points, 2 to 8192 each, around the
 // pose: width along x, depth along z (m).  Point (i, j) is number j columns + i,
 // and so high along y (m).  Below it is solid, as deep as `thickness` (m; 0: two
 // of the longer sides of its cells): what begins in it by less than half of that
 // is pushed out upwards.
-tumble_body tumble_add_heights(tumble_world *w, const double *height,
-                               int columns, int rows, double width,
-                               double depth, double thickness,
-                               tumble_body_options o);
+tumble_body tumble_body_add_heights(tumble_world *w, const double *height,
+                                    int columns, int rows, double width,
+                                    double depth, double thickness,
+                                    tumble_body_options o);
+
+// The id that stands for the world itself: what is joined to it is joined to the
+// world, and in answers all planes have it.
+tumble_body tumble_body_ground(void);
 
 // Takes a body away, with its joints; what lay on it wakes.
-bool tumble_remove(tumble_world *w, tumble_body b);
+bool tumble_body_remove(tumble_world *w, tumble_body b);
 
 // Is it in the world?
-bool tumble_has(const tumble_world *w, tumble_body b);
-
-// All bodies: writes `most` of them, and returns how many there are.
-int tumble_bodies(const tumble_world *w, tumble_body *out, int most);
+bool tumble_body_exists(const tumble_world *w, tumble_body b);
 
 // Of a body that is not there, all numbers are 0.
-tumble_pose tumble_get_pose(const tumble_world *w, tumble_body b);
-tumble_vec3 tumble_position(const tumble_world *w, tumble_body b);
-tumble_vec3 tumble_velocity(const tumble_world *w, tumble_body b);
-tumble_vec3 tumble_spin(const tumble_world *w, tumble_body b);
-double tumble_mass(const tumble_world *w, tumble_body b);   // static: 0
-void  *tumble_user(const tumble_world *w, tumble_body b);
+tumble_pose tumble_body_pose(const tumble_world *w, tumble_body b);
+tumble_vec3 tumble_body_position(const tumble_world *w, tumble_body b);
+tumble_vec3 tumble_body_velocity(const tumble_world *w, tumble_body b);
+tumble_vec3 tumble_body_spin(const tumble_world *w, tumble_body b);
+double tumble_body_mass(const tumble_world *w, tumble_body b);  // static: 0
+void  *tumble_body_user(const tumble_world *w, tumble_body b);
 
 // Puts a rigid body somewhere else, at once; it keeps its velocity.  (A
 // kinematic body that is put back before every step is a conveyor: what lies on
 // it is carried along.)
-bool tumble_set_pose(tumble_world *w, tumble_body b, tumble_pose pose);
+bool tumble_body_set_pose(tumble_world *w, tumble_body b, tumble_pose pose);
 
 // Gives a rigid body a velocity and a spin: a kinematic one keeps them.
-bool tumble_set_velocity(tumble_world *w, tumble_body b, tumble_vec3 velocity,
-                         tumble_vec3 spin);
+bool tumble_body_set_velocity(tumble_world *w, tumble_body b,
+                              tumble_vec3 velocity, tumble_vec3 spin);
 
 // An impulse (N s) at a point of the world, now.  Static and kinematic bodies
 // refuse pushes.
-bool tumble_push(tumble_world *w, tumble_body b, tumble_vec3 impulse,
-                 tumble_vec3 at);
+bool tumble_body_push(tumble_world *w, tumble_body b, tumble_vec3 impulse,
+                      tumble_vec3 at);
 
 // A force (N) at the centre of mass, and a torque (N m), in the next step; what
 // is set twice adds up.
-bool tumble_force(tumble_world *w, tumble_body b, tumble_vec3 force,
-                  tumble_vec3 torque);
-
-// Sleeping bodies wake when they are pushed or met.
-bool tumble_wake(tumble_world *w, tumble_body b);
-bool tumble_sleep(tumble_world *w, tumble_body b);
-bool tumble_is_awake(const tumble_world *w, tumble_body b);
-
-bool tumble_set_material(tumble_world *w, tumble_body b, double friction,
-                         double restitution);
-bool tumble_set_damping(tumble_world *w, tumble_body b, double damping,
-                        double spin_damping);
-bool tumble_set_filter(tumble_world *w, tumble_body b, unsigned group,
-                       unsigned mask);
-bool tumble_set_user(tumble_world *w, tumble_body b, void *user);
-
-// Many bodies at once: what tumble_get_pose, or tumble_velocity and tumble_spin,
-// say of b[0] to b[n - 1], in that order; zeros of one that is not there.
-void tumble_get_poses(const tumble_world *w, const tumble_body *b, int n,
-                      tumble_pose *out);
-void tumble_get_velocities(const tumble_world *w, const tumble_body *b, int n,
-                           tumble_vec3 *velocity, tumble_vec3 *spin);
-
-// Those that the last step moved, or may have moved, by an amount however small:
-// writes `most` of them, and returns how many there are.  All others stand where
-// they stood before it, to the bit, unless the program has put them elsewhere.  Of
-// a world that was loaded: none, until its first step.
-int tumble_moved(const tumble_world *w, tumble_body *out, int most);
-
-// All that was set, as it is now: with these options tumble_add makes another body
-// of this kind there.  Of one that is not there: zeros, which tumble_add refuses.
-tumble_body_options tumble_get_options(const tumble_world *w, tumble_body b);
-
-// The shape that it was made of: of several pieces, the first; of a surface, zeros.
-tumble_shape tumble_shape_of(const tumble_world *w, tumble_body b);
+bool tumble_body_force(tumble_world *w, tumble_body b, tumble_vec3 force,
+                       tumble_vec3 torque);
 
 // A force (N) at a point of the world, as it is now, in the next step; with
-// tumble_force it adds up.
-bool tumble_force_at(tumble_world *w, tumble_body b, tumble_vec3 force,
-                     tumble_vec3 at);
+// tumble_body_force it adds up.
+bool tumble_body_force_at(tumble_world *w, tumble_body b, tumble_vec3 force,
+                          tumble_vec3 at);
+
+// Sleeping bodies wake when they are pushed or met.
+bool tumble_body_wake(tumble_world *w, tumble_body b);
+bool tumble_body_sleep(tumble_world *w, tumble_body b);
+bool tumble_body_is_awake(const tumble_world *w, tumble_body b);
+
+bool tumble_body_set_material(tumble_world *w, tumble_body b, double friction,
+                              double restitution);
+bool tumble_body_set_damping(tumble_world *w, tumble_body b, double damping,
+                             double spin_damping);
+bool tumble_body_set_filter(tumble_world *w, tumble_body b, unsigned group,
+                            unsigned mask);
+bool tumble_body_set_user(tumble_world *w, tumble_body b, void *user);
+
+// Many bodies at once: what tumble_body_pose, or tumble_body_velocity and
+// tumble_body_spin, say of b[0] to b[n - 1], in that order; zeros of one that
+// is not there.
+void tumble_body_poses(const tumble_world *w, const tumble_body *b, int n,
+                       tumble_pose *out);
+void tumble_body_velocities(const tumble_world *w, const tumble_body *b, int n,
+                            tumble_vec3 *velocity, tumble_vec3 *spin);
+
+// All that was set, as it is now: with these options tumble_body_add makes
+// another body of this kind there.  Of one that is not there: zeros, which
+// tumble_body_add refuses.
+tumble_body_options tumble_body_get_options(const tumble_world *w,
+                                            tumble_body b);
+
+// The shape that it was made of: of several pieces, the first; of a surface, zeros.
+tumble_shape tumble_body_shape(const tumble_world *w, tumble_body b);
 
 // Another kind for a body that is there, rigid and of one piece: it stays where it
 // is.  What becomes dynamic goes on as it went, what becomes kinematic stands until
 // it is given a velocity; its axes are locked no more.  What lay on it, or is joined
 // to it, wakes.
-bool tumble_set_kind(tumble_world *w, tumble_body b, tumble_kind kind);
+bool tumble_body_set_kind(tumble_world *w, tumble_body b, tumble_kind kind);
 
 // So many times the world's gravity acts on a rigid body of one piece, -1000 to 1000;
 // 1: as on all others; 0: none; below: it rises.  It wakes, and keeps its velocity.
-bool tumble_set_gravity_scale(tumble_world *w, tumble_body b, double scale);
-double tumble_gravity_scale(const tumble_world *w, tumble_body b);
+bool tumble_body_set_gravity_scale(tumble_world *w, tumble_body b,
+                                   double scale);
+double tumble_body_gravity_scale(const tumble_world *w, tumble_body b);
 
 // Axes of the world along which a dynamic body does not go, and about which it does
 // not turn, from where it stands now; 0: none are locked.  They hold as a joint to
@@ -435,39 +454,55 @@ enum {
     TUMBLE_LOCK_FLAT = 28       // it stays in a plane z = constant, as in a game in
                                 // two dimensions
 };
-bool tumble_set_locked(tumble_world *w, tumble_body b, unsigned axes);
-unsigned tumble_locked(const tumble_world *w, tumble_body b);
+bool tumble_body_set_locked(tumble_world *w, tumble_body b, unsigned axes);
+unsigned tumble_body_locked(const tumble_world *w, tumble_body b);
+
+// --- Sensors -----------------------------------------------------------------
+// A sensor: a static or kinematic body, of one piece or several, that pushes nothing,
+// and that no ray, sweep or other question meets.  It costs nothing until it is asked
+// for what is in it.  That are dynamic and kinematic bodies, rope and cloth whose
+// groups and masks would let the two meet, but no other sensor and no surface.
+bool tumble_body_set_sensor(tumble_world *w, tumble_body b, bool is_sensor);
+bool tumble_body_is_sensor(const tumble_world *w, tumble_body b);
+
+// What overlaps a sensor now: writes `most` of them, and returns how many there are;
+// -1 for rope and cloth, of which one vertex with its ball is enough, and all others
+// as they are.  It looks at all bodies.  Of what is no sensor: 0.
+int tumble_body_sensed(const tumble_world *w, tumble_body sensor,
+                       tumble_body *out, int most);
 //<
 
 //> tumble-vertices
 //>   What is drawn is asked for as vertices and triangles. Rope and cloth have
 //>   particles that can be pinned, pushed and measured one by one.
+// --- Vertices ----------------------------------------------------------------
 // The vertices of a body, in the world: writes the first `most` of them, and
 // returns how many there are.
-int tumble_vertices(const tumble_world *w, tumble_body b, tumble_vec3 *out,
-                    int most);
+int tumble_body_vertices(const tumble_world *w, tumble_body b, tumble_vec3 *out,
+                         int most);
 
 // Its triangles: three numbers of vertices each, counter-clockwise seen from
 // outside (of a cloth: from above).  They stay as long as its shape does.
-const int *tumble_triangles(const tumble_world *w, tumble_body b, int *count);
+const int *tumble_body_triangles(const tumble_world *w, tumble_body b,
+                                 int *count);
 
 // --- Rope and cloth ----------------------------------------------------------
 // Vertex i stays where it is, until it is let go.
-bool tumble_pin(tumble_world *w, tumble_body b, int i);
-bool tumble_unpin(tumble_world *w, tumble_body b, int i);
-tumble_vec3 tumble_vertex(const tumble_world *w, tumble_body b, int i);
+bool tumble_body_pin(tumble_world *w, tumble_body b, int i);
+bool tumble_body_unpin(tumble_world *w, tumble_body b, int i);
+tumble_vec3 tumble_body_vertex(const tumble_world *w, tumble_body b, int i);
 
 // An impulse (N s) on vertex i.
-bool tumble_push_vertex(tumble_world *w, tumble_body b, int i,
-                        tumble_vec3 impulse);
+bool tumble_body_push_vertex(tumble_world *w, tumble_body b, int i,
+                             tumble_vec3 impulse);
 
 // Stiffness against bending: N m^2 of a rope, N m of a cloth; 0: none.
-bool tumble_set_bending(tumble_world *w, tumble_body b, double stiffness);
+bool tumble_body_set_bending(tumble_world *w, tumble_body b, double stiffness);
 
 // By how much threads give: a newton stretches a metre of a rope by so many
 // metres (1/N), or a cloth, for every metre of its width (m/N).  Denim: 1e-4.
 // 0: not at all; but a pinned cloth becomes longer by 4e-6 under its own weight.
-bool tumble_set_stretch(tumble_world *w, tumble_body b, double compliance);
+bool tumble_body_set_stretch(tumble_world *w, tumble_body b, double compliance);
 //<
 
 //> tumble-joints
@@ -475,39 +510,57 @@ bool tumble_set_stretch(tumble_world *w, tumble_body b, double compliance);
 //>   function of its own, because each needs other arguments.
 // --- Joints ------------------------------------------------------------------
 // Between two rigid bodies, or a body and the world, which is the id
-// tumble_ground().  Bodies that are joined do not collide with each other,
-// unless tumble_set_touching says so, nor does a rope or cloth with a body that
-// it hangs on; what is joined by way of another body does, unless their groups
-// or their places keep them apart.
+// tumble_body_ground().  Bodies that are joined do not collide with each other,
+// unless tumble_joint_set_touching says so, nor does a rope or cloth with a
+// body that it hangs on; what is joined by way of another body does, unless
+// their groups or their places keep them apart.
 // Points and axes are where they are in the world when the joint is made.
-tumble_body tumble_ground(void);
-
+//
 // A point of a and a point of b stay together.
-tumble_joint tumble_ball(tumble_world *w, tumble_body a, tumble_body b,
-                         tumble_vec3 at);
+tumble_joint tumble_joint_ball(tumble_world *w, tumble_body a, tumble_body b,
+                               tumble_vec3 at);
 
 // And an axis of each: b turns about it as seen from a.
-tumble_joint tumble_hinge(tumble_world *w, tumble_body a, tumble_body b,
-                          tumble_vec3 at, tumble_vec3 axis);
+tumble_joint tumble_joint_hinge(tumble_world *w, tumble_body a, tumble_body b,
+                                tumble_vec3 at, tumble_vec3 axis);
 
 // And b moves along an axis of a without turning against it.
-tumble_joint tumble_slider(tumble_world *w, tumble_body a, tumble_body b,
-                           tumble_vec3 at, tumble_vec3 axis);
+tumble_joint tumble_joint_slider(tumble_world *w, tumble_body a, tumble_body b,
+                                 tumble_vec3 at, tumble_vec3 axis);
+
+// They move as one.
+tumble_joint tumble_joint_fixed(tumble_world *w, tumble_body a, tumble_body b,
+                                tumble_vec3 at);
+
+// Two points are at least and at most so far apart (m).
+tumble_joint tumble_joint_distance(tumble_world *w, tumble_body a,
+                                   tumble_vec3 at_a, tumble_body b,
+                                   tumble_vec3 at_b, double least, double most);
+
+// Vertex i of a rope or cloth stays where it is now, as seen from a rigid body.
+tumble_joint tumble_joint_hang(tumble_world *w, tumble_body soft, int i,
+                               tumble_body b);
+
+bool tumble_joint_remove(tumble_world *w, tumble_joint j);
+bool tumble_joint_exists(const tumble_world *w, tumble_joint j);
+
+// Which bodies it joins: side 0 is a, and side 1 is b; of one that is gone, zeros.
+tumble_body tumble_joint_body(const tumble_world *w, tumble_joint j, int side);
 
 // How far b may turn against a hinge's axis (rad; beyond -pi and pi there is no
 // limit) or go along a slider's (m, of either sign), 0 being how they stood when
 // they were joined; or how far apart the points of a distance are (m; below 0 there
 // is no limit).  -HUGE_VAL and HUGE_VAL take both off.  Equal limits hold it there:
 // moved a little in every step, they drive it.
-bool tumble_set_limits(tumble_world *w, tumble_joint j, double least,
-                       double most);
+bool tumble_joint_set_limits(tumble_world *w, tumble_joint j, double least,
+                             double most);
 
 // A ball joint: an axis, which a and b have in common as they stand now, leans by
 // `swing` (rad) at most, and b turns about it from least to most (rad).  Beyond pi
 // there is no limit; near pi the turn is not defined, so a cone is narrower.  Another
 // call begins from how they stand then.
-bool tumble_set_cone(tumble_world *w, tumble_joint j, tumble_vec3 axis,
-                     double swing, double least, double most);
+bool tumble_joint_set_cone(tumble_world *w, tumble_joint j, tumble_vec3 axis,
+                           double swing, double least, double most);
 
 // Along the free way of a hinge (rad, N m), a slider or a distance (m, N) there may
 // be a motor and a spring.  Both act together, and within the limits, but equal
@@ -516,41 +569,31 @@ bool tumble_set_cone(tumble_world *w, tumble_joint j, tumble_vec3 axis,
 // The motor keeps b at `speed` against a (rad/s, right-handed about the axis; m/s
 // along it, or apart) with `force` (N m or N, not negative) at most.  A speed of 0 is
 // friction, or a brake; a force of 0 takes the motor off.
-bool tumble_set_motor(tumble_world *w, tumble_joint j, double speed,
-                      double force);
+bool tumble_joint_set_motor(tumble_world *w, tumble_joint j, double speed,
+                            double force);
 
 // The spring pulls to `rest` (rad or m) with `stiffness` (N m/rad, N/m), and brakes
 // with `damping` (N m s/rad, N s/m).  That of a hinge takes the shorter way round,
 // whatever limits there are.  Any stiffness is safe at any dt.  Both 0: the spring is
 // taken off.
-bool tumble_set_spring(tumble_world *w, tumble_joint j, double rest,
-                       double stiffness, double damping);
+bool tumble_joint_set_spring(tumble_world *w, tumble_joint j, double rest,
+                             double stiffness, double damping);
 
 // A spring to `place` (rad or m) that gives `force` (N m or N) at most.  The two
 // bodies alone, as they stand now, would swing about it at `hertz` (1/s), with a
 // damping ratio of `ratio` (0: undamped; 1: critical).  It takes the place of a spring
 // that was set; a force of 0 takes it off.
-bool tumble_set_servo(tumble_world *w, tumble_joint j, double place,
-                      double hertz, double ratio, double force);
-
-// They move as one.
-tumble_joint tumble_fix(tumble_world *w, tumble_body a, tumble_body b,
-                        tumble_vec3 at);
-
-// Two points are at least and at most so far apart (m).
-tumble_joint tumble_distance(tumble_world *w, tumble_body a, tumble_vec3 at_a,
-                             tumble_body b, tumble_vec3 at_b, double least,
-                             double most);
-
-// Vertex i of a rope or cloth stays where it is now, as seen from a rigid body.
-tumble_joint tumble_hang(tumble_world *w, tumble_body soft, int i,
-                         tumble_body b);
+bool tumble_joint_set_servo(tumble_world *w, tumble_joint j, double place,
+                            double hertz, double ratio, double force);
 
 // N: a joint that has to bear more breaks, and is gone; 0: it never does.
-bool tumble_set_strength(tumble_world *w, tumble_joint j, double force);
+bool tumble_joint_set_strength(tumble_world *w, tumble_joint j, double force);
 
-bool tumble_unjoin(tumble_world *w, tumble_joint j);
-bool tumble_is_joined(const tumble_world *w, tumble_joint j);
+// May the two bodies of a joint push each other, as if they were not joined?  A new
+// joint says no, and of several between two bodies one that says no is enough.
+// Begin where they do not overlap.
+bool tumble_joint_set_touching(tumble_world *w, tumble_joint j, bool may_touch);
+bool tumble_joint_may_touch(const tumble_world *w, tumble_joint j);
 
 // Along its free way: where b is against a (rad, from -pi to pi, or m; of a
 // distance: how far apart the points are), and how fast it moves (rad/s, m/s).
@@ -567,19 +610,7 @@ double tumble_joint_drive(const tumble_world *w, tumble_joint j);
 // substep; a hinge's place, by another name.
 double tumble_joint_gap(const tumble_world *w, tumble_joint j);
 double tumble_joint_force(const tumble_world *w, tumble_joint j);
-double tumble_hinge_angle(const tumble_world *w, tumble_joint j);
-
-// May the two bodies of a joint push each other, as if they were not joined?  A new
-// joint says no, and of several between two bodies one that says no is enough.
-// Begin where they do not overlap.
-bool tumble_set_touching(tumble_world *w, tumble_joint j, bool may_touch);
-bool tumble_may_touch(const tumble_world *w, tumble_joint j);
-
-// All joints: writes `most` of them, and returns how many there are.
-int tumble_joints(const tumble_world *w, tumble_joint *out, int most);
-
-// Which bodies it joins: side 0 is a, and side 1 is b; of one that is gone, zeros.
-tumble_body tumble_joint_body(const tumble_world *w, tumble_joint j, int side);
+double tumble_joint_angle(const tumble_world *w, tumble_joint j);
 //<
 
 //> tumble-ask
@@ -589,7 +620,7 @@ tumble_body tumble_joint_body(const tumble_world *w, tumble_joint j, int side);
 //>   each body.
 // --- What is where -----------------------------------------------------------
 // Only bodies with a bit of their group in `mask` are asked (~0u: all), and
-// planes, whose id is tumble_ground().  Rope and cloth are not.
+// planes, whose id is tumble_body_ground().  Rope and cloth are not.
 typedef struct {
     tumble_body body;
     tumble_vec3 point;      // m, on its surface
@@ -601,46 +632,49 @@ typedef struct {
 
 // What does the way from one point to another meet first?  False: nothing.  A
 // way that begins in a body meets that at once.
-bool tumble_ray(const tumble_world *w, tumble_vec3 from, tumble_vec3 to,
-                unsigned mask, tumble_hit *hit);
+bool tumble_world_ray(const tumble_world *w, tumble_vec3 from, tumble_vec3 to,
+                      unsigned mask, tumble_hit *hit);
 
 // The point of a body or plane nearest to x, no further away than `most` (m).
 // Of an x inside: x itself.
-bool tumble_nearest(const tumble_world *w, tumble_vec3 x, double most,
-                    unsigned mask, tumble_hit *hit);
+bool tumble_world_nearest(const tumble_world *w, tumble_vec3 x, double most,
+                          unsigned mask, tumble_hit *hit);
 
 // The bodies that a rigid shape there would overlap: writes `most` of them, and
 // returns how many there are.
-int tumble_overlap(const tumble_world *w, tumble_shape s, tumble_pose pose,
-                   unsigned mask, tumble_body *out, int most);
+int tumble_world_overlap(const tumble_world *w, tumble_shape s,
+                         tumble_pose pose, unsigned mask, tumble_body *out,
+                         int most);
 
 // What does a rigid shape meet first that moves by `way` without turning?  If
 // it touches something where it begins, or is in it, that is met at once, with
 // a normal against the way, even if the way leads out.  So what slides along
 // walls should keep a little away from them.
-bool tumble_sweep(const tumble_world *w, tumble_shape s, tumble_pose pose,
-                  tumble_vec3 way, unsigned mask, tumble_hit *hit);
+bool tumble_world_sweep(const tumble_world *w, tumble_shape s, tumble_pose pose,
+                        tumble_vec3 way, unsigned mask, tumble_hit *hit);
 
 // The same of one that turns as steadily as it goes: by the angle |turn| (rad) about
 // the axis `turn`, through its centre of mass.  To a millionth of the way and the
 // sizes, and never too late.
-bool tumble_sweep_turning(const tumble_world *w, tumble_shape s,
-                          tumble_pose pose, tumble_vec3 way, tumble_vec3 turn,
-                          unsigned mask, tumble_hit *hit);
+bool tumble_world_sweep_turning(const tumble_world *w, tumble_shape s,
+                                tumble_pose pose, tumble_vec3 way,
+                                tumble_vec3 turn, unsigned mask,
+                                tumble_hit *hit);
 
 // All bodies that the way from one point to another meets, each once, where it does
 // first, and planes: the `most` nearest of them, the nearest first.  Returns how many
 // there are.
-int tumble_ray_all(const tumble_world *w, tumble_vec3 from, tumble_vec3 to,
-                   unsigned mask, tumble_hit *out, int most);
+int tumble_world_ray_all(const tumble_world *w, tumble_vec3 from,
+                         tumble_vec3 to, unsigned mask, tumble_hit *out,
+                         int most);
 
 // Likewise of rope and cloth alone: what does the way meet first, and which point of
 // them is nearest to x, no further away than `most` (m)?  A cloth is its triangles, and
 // a rope as thick as it is to others.
-bool tumble_ray_soft(const tumble_world *w, tumble_vec3 from, tumble_vec3 to,
-                     unsigned mask, tumble_hit *hit);
-bool tumble_nearest_soft(const tumble_world *w, tumble_vec3 x, double most,
-                         unsigned mask, tumble_hit *hit);
+bool tumble_world_ray_soft(const tumble_world *w, tumble_vec3 from,
+                           tumble_vec3 to, unsigned mask, tumble_hit *hit);
+bool tumble_world_nearest_soft(const tumble_world *w, tumble_vec3 x,
+                               double most, unsigned mask, tumble_hit *hit);
 //<
 
 //> tumble-contacts
@@ -649,7 +683,8 @@ bool tumble_nearest_soft(const tumble_world *w, tumble_vec3 x, double most,
 // --- Who touches whom --------------------------------------------------------
 enum { TUMBLE_POINTS = 4 };
 
-// Rigid bodies that push each other; b may be tumble_ground(), for a plane.
+// Rigid bodies that push each other; b may be tumble_body_ground(), for a
+// plane.
 typedef struct {
     tumble_body a, b;
     tumble_vec3 normal;             // unit, from b to a
@@ -659,7 +694,7 @@ typedef struct {
 } tumble_contact;
 
 // Of the last step: writes `most` of them, and returns how many there are.
-int tumble_contacts(const tumble_world *w, tumble_contact *out, int most);
+int tumble_world_contacts(const tumble_world *w, tumble_contact *out, int most);
 
 // Which began or ended to touch since this was last asked?
 typedef struct {
@@ -668,17 +703,18 @@ typedef struct {
     tumble_vec3 point;      // m, where the pair pushed most, and
     tumble_vec3 normal;     // unit, from b to a, now, or, if it ends, when it was
     double force;           // last asked; N, with which all its points pushed; how
-                            // hard a blow was: tumble_impulses.  Of sensors: zeros
+                            // hard a blow was: tumble_world_impulses.  Of
+                            // sensors: zeros
 } tumble_event;
 
 // Writes `most` of them, and returns how many there are; those that found no
 // room are lost.
-int tumble_events(tumble_world *w, tumble_event *out, int most);
+int tumble_world_events(tumble_world *w, tumble_event *out, int most);
 
 // What one rigid body gave another in the whole of the last step, impacts with it: of
 // a bounce that began and ended in it as well, which no list of contacts has.
 typedef struct {
-    tumble_body a, b;       // b may be tumble_ground(), for a plane
+    tumble_body a, b;       // b may be tumble_body_ground(), for a plane
     tumble_vec3 point;      // m, the mean of all that pushed, by its share
     tumble_vec3 normal;     // unit, from b to a, likewise
     double impulse;         // N s, along the normals
@@ -686,39 +722,26 @@ typedef struct {
 
 // Steps write it down from now on, or no more.  It changes no bit of them.  A world
 // that was loaded does as the saved one did.
-bool tumble_listen(tumble_world *w, bool on);
+bool tumble_world_listen(tumble_world *w, bool on);
 
 // Of the last step, sorted by bodies: writes `most` of them, and returns how many there
 // are; 0 if it was not written down, or nothing moved.
-int tumble_impulses(const tumble_world *w, tumble_impulse *out, int most);
+int tumble_world_impulses(const tumble_world *w, tumble_impulse *out, int most);
 
 // Asks `meets` for each contact that a step is about to begin with, in their order:
 // shall the two push each other in this step?  It has the ids, the normal and the
 // points, without forces, and may ask the world, but not change it.  NULL: all do.  A
 // loaded world has none.  Of bodies that fly by their own size in a step it may be
 // asked several times, and again for the rest of the step.
-bool tumble_choose_contacts(tumble_world *w,
-                            bool (*meets)(void *context,
-                                          const tumble_contact *c),
-                            void *context);
-
-// A sensor: a static or kinematic body, of one piece or several, that pushes nothing,
-// and that no ray, sweep or other question meets.  It costs nothing until it is asked
-// for what is in it.  That are dynamic and kinematic bodies, rope and cloth whose
-// groups and masks would let the two meet, but no other sensor and no surface.
-bool tumble_set_sensor(tumble_world *w, tumble_body b, bool is_sensor);
-bool tumble_is_sensor(const tumble_world *w, tumble_body b);
-
-// What overlaps a sensor now: writes `most` of them, and returns how many there are;
-// -1 for rope and cloth, of which one vertex with its ball is enough, and all others
-// as they are.  It looks at all bodies.  Of what is no sensor: 0.
-int tumble_sensed(const tumble_world *w, tumble_body sensor, tumble_body *out,
-                  int most);
+bool tumble_world_choose_contacts(tumble_world *w,
+                                  bool (*meets)(void *context,
+                                                const tumble_contact *c),
+                                  void *context);
 
 // Which came into a sensor, or left it, since this was last asked?  a is the sensor;
 // what is gone has left it.  Writes `most` of them, and returns how many there are;
 // those that found no room are lost.
-int tumble_sensor_events(tumble_world *w, tumble_event *out, int most);
+int tumble_world_sensor_events(tumble_world *w, tumble_event *out, int most);
 //<
 
 //> tumble-draw
@@ -734,13 +757,139 @@ typedef struct {
 } tumble_pen;
 
 // Bodies as triangles, ropes and joints as lines, contacts as points.
-void tumble_draw(const tumble_world *w, const tumble_pen *pen);
+void tumble_world_draw(const tumble_world *w, const tumble_pen *pen);
 
 #ifdef __GNUC__
 #pragma GCC visibility pop
 #endif
 #ifdef __cplusplus
 }
+#endif
+//<
+
+//> tumble-old-names
+//>   A program that was written for version 2 goes on with the names that it has,
+//>   for one version.
+// --- The names of version 2 --------------------------------------------------
+// They go with version 4.  A program that wants none of them, or wants them for
+// itself, defines TUMBLE_NO_OLD_NAMES before it includes this.
+#ifndef TUMBLE_NO_OLD_NAMES
+#define tumble_turn tumble_quat_turn
+#define tumble_matrix tumble_quat_matrix
+#define tumble_from_matrix tumble_quat_from_matrix
+#define tumble_rotate tumble_quat_rotate
+#define tumble_to_world tumble_pose_to_world
+#define tumble_to_local tumble_pose_to_local
+#define tumble_make tumble_world_make
+#define tumble_free tumble_world_free
+#define tumble_failure tumble_world_failure
+#define tumble_forget_failure tumble_world_forget_failure
+#define tumble_step tumble_world_step
+#define tumble_time tumble_world_time
+#define tumble_set_gravity tumble_world_set_gravity
+#define tumble_last_step tumble_world_last_step
+#define tumble_measure tumble_world_measure
+#define tumble_hash tumble_world_hash
+#define tumble_save tumble_world_save
+#define tumble_load tumble_world_load
+#define tumble_restore tumble_world_restore
+#define tumble_run_on tumble_world_run_on
+#define tumble_get_world_options tumble_world_get_options
+#define tumble_bodies tumble_world_bodies
+#define tumble_joints tumble_world_joints
+#define tumble_moved tumble_world_moved
+#define tumble_ray tumble_world_ray
+#define tumble_ray_all tumble_world_ray_all
+#define tumble_ray_soft tumble_world_ray_soft
+#define tumble_nearest tumble_world_nearest
+#define tumble_nearest_soft tumble_world_nearest_soft
+#define tumble_overlap tumble_world_overlap
+#define tumble_sweep tumble_world_sweep
+#define tumble_sweep_turning tumble_world_sweep_turning
+#define tumble_contacts tumble_world_contacts
+#define tumble_events tumble_world_events
+#define tumble_listen tumble_world_listen
+#define tumble_impulses tumble_world_impulses
+#define tumble_choose_contacts tumble_world_choose_contacts
+#define tumble_sensor_events tumble_world_sensor_events
+#define tumble_draw tumble_world_draw
+#define tumble_add_plane tumble_plane_add
+#define tumble_remove_plane tumble_plane_remove
+#define tumble_box tumble_shape_box
+#define tumble_icosahedron tumble_shape_icosahedron
+#define tumble_sphere tumble_shape_sphere
+#define tumble_capsule tumble_shape_capsule
+#define tumble_hull tumble_shape_hull
+#define tumble_obj tumble_shape_obj
+#define tumble_rope tumble_shape_rope
+#define tumble_cloth tumble_shape_cloth
+#define tumble_weigh tumble_shape_weighed
+#define tumble_round tumble_shape_rounded
+#define tumble_drop_shape tumble_shape_remove
+#define tumble_at tumble_body_at
+#define tumble_add tumble_body_add
+#define tumble_add_pieces tumble_body_add_pieces
+#define tumble_add_compound tumble_body_add_compound
+#define tumble_add_mesh tumble_body_add_mesh
+#define tumble_add_heights tumble_body_add_heights
+#define tumble_remove tumble_body_remove
+#define tumble_has tumble_body_exists
+#define tumble_ground tumble_body_ground
+#define tumble_get_pose tumble_body_pose
+#define tumble_get_poses tumble_body_poses
+#define tumble_get_velocities tumble_body_velocities
+#define tumble_position tumble_body_position
+#define tumble_velocity tumble_body_velocity
+#define tumble_spin tumble_body_spin
+#define tumble_mass tumble_body_mass
+#define tumble_user tumble_body_user
+#define tumble_shape_of tumble_body_shape
+#define tumble_get_options tumble_body_get_options
+#define tumble_set_pose tumble_body_set_pose
+#define tumble_set_velocity tumble_body_set_velocity
+#define tumble_push tumble_body_push
+#define tumble_force tumble_body_force
+#define tumble_force_at tumble_body_force_at
+#define tumble_wake tumble_body_wake
+#define tumble_sleep tumble_body_sleep
+#define tumble_is_awake tumble_body_is_awake
+#define tumble_set_material tumble_body_set_material
+#define tumble_set_damping tumble_body_set_damping
+#define tumble_set_filter tumble_body_set_filter
+#define tumble_set_user tumble_body_set_user
+#define tumble_set_kind tumble_body_set_kind
+#define tumble_set_gravity_scale tumble_body_set_gravity_scale
+#define tumble_gravity_scale tumble_body_gravity_scale
+#define tumble_set_locked tumble_body_set_locked
+#define tumble_locked tumble_body_locked
+#define tumble_vertices tumble_body_vertices
+#define tumble_triangles tumble_body_triangles
+#define tumble_pin tumble_body_pin
+#define tumble_unpin tumble_body_unpin
+#define tumble_vertex tumble_body_vertex
+#define tumble_push_vertex tumble_body_push_vertex
+#define tumble_set_bending tumble_body_set_bending
+#define tumble_set_stretch tumble_body_set_stretch
+#define tumble_set_sensor tumble_body_set_sensor
+#define tumble_is_sensor tumble_body_is_sensor
+#define tumble_sensed tumble_body_sensed
+#define tumble_ball tumble_joint_ball
+#define tumble_hinge tumble_joint_hinge
+#define tumble_slider tumble_joint_slider
+#define tumble_fix tumble_joint_fixed
+#define tumble_distance tumble_joint_distance
+#define tumble_hang tumble_joint_hang
+#define tumble_unjoin tumble_joint_remove
+#define tumble_is_joined tumble_joint_exists
+#define tumble_set_limits tumble_joint_set_limits
+#define tumble_set_cone tumble_joint_set_cone
+#define tumble_set_motor tumble_joint_set_motor
+#define tumble_set_spring tumble_joint_set_spring
+#define tumble_set_servo tumble_joint_set_servo
+#define tumble_set_strength tumble_joint_set_strength
+#define tumble_set_touching tumble_joint_set_touching
+#define tumble_may_touch tumble_joint_may_touch
+#define tumble_hinge_angle tumble_joint_angle
 #endif
 #endif
 //<

@@ -16,24 +16,25 @@ static status show(int k, picture *out)
 {
     const example *s = examples[k];
     tumble_options o = s->options ? s->options() : tumble_options_default();
-    tumble_world *w = tumble_make(&o);
-    if (!w) return status_fail("%s", tumble_failure(NULL));
+    tumble_world *w = tumble_world_make(&o);
+    if (!w) return status_fail("%s", tumble_world_failure(NULL));
     int left = k % ACROSS * (WIDE + GAP), top = k / ACROSS * (HIGH + GAP);
     status done = status_ok();
     bool is_painted = false;
     s->build(w);
-    while (tumble_time(w) < s->seconds && done.ok) {
+    while (tumble_world_time(w) < s->seconds && done.ok) {
         if (s->act) s->act(w);
-        tumble_step(w);
-        if (is_painted || tumble_time(w) < MOMENT[k]) continue;
+        tumble_world_step(w);
+        if (is_painted || tumble_world_time(w) < MOMENT[k]) continue;
         is_painted = true;
         done = example_paint(s, w, LAMPS, out, left, top, WIDE, HIGH);
     }
     picture_text(out, left + 14, top + 30, 20, colour_hex(0x30353c), s->name);
     printf("%s: %s: %.3g of %.3g\n", s->name, s->claim, example_error(s, w),
            s->most);
-    if (done.ok && tumble_failure(w)) done = status_fail("%s", tumble_failure(w));
-    tumble_free(w);
+    if (done.ok && tumble_world_failure(w))
+        done = status_fail("%s", tumble_world_failure(w));
+    tumble_world_free(w);
     return done;
 }
 

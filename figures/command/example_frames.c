@@ -52,9 +52,9 @@ status example_obj(const void *moment, const char *path)
     status done = output_open(&o, path);
     if (!done.ok) return done;
     fprintf(o.file, "# %s at %.9g s, in metres, y up\n", m->scene->name,
-            tumble_time(m->world));
+            tumble_world_time(m->world));
     listing all = { o.file, 0, -1 };
     tumble_pen pen = { on_triangle, on_line, NULL, &all };
-    tumble_draw(m->world, &pen);
+    tumble_world_draw(m->world, &pen);
     return output_commit(&o);
 }

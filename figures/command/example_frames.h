@@ -15,7 +15,7 @@ typedef struct {
 status example_picture(const void *moment, const char *path);
 
 // The same: a body an object, each triangle with corners of its own, as
-// tumble_draw hands them out; ropes and joints are lines.
+// tumble_world_draw hands them out; ropes and joints are lines.
 status example_obj(const void *moment, const char *path);
 
 #endif

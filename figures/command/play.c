@@ -86,11 +86,13 @@ static status run(const example *e, wishes *to, tumble_world *w, picture *film)
     int taken = 0;
     e->build(w);
     status done = add_frames(e, to, w);
-    while (tumble_time(w) < to->seconds && !tumble_failure(w) && done.ok) {
+    while (tumble_world_time(w) < to->seconds && !tumble_world_failure(w)
+           && done.ok) {
         if (e->act) e->act(w);
-        tumble_step(w);
+        tumble_world_step(w);
         done = add_frames(e, to, w);
-        bool is_due = tumble_time(w) >= to->seconds * (taken + 1) / PANELS;
+        bool is_due = tumble_world_time(w) >= to->seconds * (taken + 1)
+            / PANELS;
         if (!done.ok || !to->film || !is_due || taken == PANELS) continue;
         done = example_paint(e, w, LAMPS, film, taken * (WIDE + GAP), 0, WIDE,
                              HIGH);
@@ -108,10 +110,10 @@ static bool tell(const example *e, const wishes *to, tumble_world *w)
 {
     double error = example_error(e, w);
     bool is_whole = to->seconds >= e->seconds, holds = error <= e->most;
-    tumble_report r = tumble_last_step(w);
+    tumble_report r = tumble_world_last_step(w);
     printf("%s: %s\n", e->name, e->about);
-    printf("after %.3g s: %d bodies, %d asleep\n", tumble_time(w), r.bodies,
-           r.asleep);
+    printf("after %.3g s: %d bodies, %d asleep\n", tumble_world_time(w),
+           r.bodies, r.asleep);
     if (is_whole)
         printf("%s: %s (%.3g, at most %.3g)\n", holds ? "holds" : "FAILS",
                e->claim, error, e->most);
@@ -141,21 +143,21 @@ int play(const example *e, int words, char **word)
         fprintf(stderr, "tumble: %s\n", done.why);
         return 2;
     }
-    tumble_world *w = tumble_make(&o);
-    if (!w) done = status_fail("%s", tumble_failure(NULL));
+    tumble_world *w = tumble_world_make(&o);
+    if (!w) done = status_fail("%s", tumble_world_failure(NULL));
     if (done.ok && to.film)
         done = picture_init(&film, PANELS * (WIDE + GAP) - GAP, HIGH,
                             colour_hex(0xffffff));
     if (done.ok) done = check_files(&to);
     if (done.ok) done = run(e, &to, w, &film);
-    if (done.ok && tumble_failure(w))
-        done = status_fail("%s", tumble_failure(w));
+    if (done.ok && tumble_world_failure(w))
+        done = status_fail("%s", tumble_world_failure(w));
     if (done.ok && to.film) done = picture_write(&film, to.film);
     if (done.ok) holds = tell(e, &to, w);
     else fprintf(stderr, "tumble: %s\n", done.why);
     frames_end(&to.pictures);
     frames_end(&to.meshes);
     picture_free(&film);
-    tumble_free(w);
+    tumble_world_free(w);
     return holds ? 0 : 1;
 }

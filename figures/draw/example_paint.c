@@ -20,7 +20,7 @@ static colour colour_of(const tumble_world *w, tumble_body b)
 {
     static const unsigned tone[] = { 0x0072b2, 0xd55e00, 0x009e73, 0xe69f00,
                                      0xcc79a7, 0x56b4e9 };
-    if (tumble_mass(w, b) == 0) return colour_hex(0xb8bcc2);
+    if (tumble_body_mass(w, b) == 0) return colour_hex(0xb8bcc2);
     return colour_hex(tone[(b.place + b.place / 6) % 6]);
 }
 
@@ -164,7 +164,7 @@ status example_paint(const example *s, const tumble_world *w, int lamps,
     p.lamp = vec3_unit(vec3_make(-0.5, 1, 0.6));
     if (s->has_floor)
         painter_floor(&p, vec3_make(s->target.x, 0, s->target.z), 40, 1);
-    tumble_draw(w, &pen);
+    tumble_world_draw(w, &pen);
     finish_body(&all);
     if (all.done.ok)
         all.done = painter_paint(&p, out, left, top, width, height);

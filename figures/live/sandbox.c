@@ -35,22 +35,23 @@ static void begin(void)
     int k = live_choice(SCENE);
     scene = k == EMPTY ? &nothing : examples[k];
     tumble_options o = scene->options ? scene->options() : tumble_options_default();
-    tumble_free(world);
-    world = tumble_make(&o);
+    tumble_world_free(world);
+    world = tumble_world_make(&o);
     pins = thrown = 0;
     is_tying = false;
     if (!world) return;
     if (scene->build) scene->build(world);
-    else              tumble_add_plane(world, tumble_v(0, 1, 0), 0, -1);
+    else              tumble_plane_add(world, tumble_v(0, 1, 0), 0, -1);
     if (live_dial(GRAVITY) < 9.81 || live_dial(GRAVITY) > 9.81)
-        tumble_set_gravity(world, tumble_v(0, -live_dial(GRAVITY), 0));
+        tumble_world_set_gravity(world, tumble_v(0, -live_dial(GRAVITY), 0));
     view_look(taken(scene->eye), taken(scene->target), scene->has_floor);
-    bodies = int_min(tumble_bodies(world, all, MOST), MOST);
+    bodies = int_min(tumble_world_bodies(world, all, MOST), MOST);
 }
 
 static void turn(int dial)
 {
-    if (dial == GRAVITY && world) tumble_set_gravity(world, tumble_v(0, -live_dial(GRAVITY), 0));
+    if (dial == GRAVITY && world)
+        tumble_world_set_gravity(world, tumble_v(0, -live_dial(GRAVITY), 0));
 }
 
 // --- What is soft? ------------------------------------------------------------------
@@ -58,16 +59,17 @@ static void turn(int dial)
 // of several pieces has no list of them; of these only static ones are here.)
 static bool is_soft(tumble_body b)
 {
-    int faces, n = tumble_vertices(world, b, NULL, 0);
-    tumble_triangles(world, b, &faces);
-    return n > 2 && faces < 2 * n - 4 && tumble_mass(world, b) > 0;
+    int faces, n = tumble_body_vertices(world, b, NULL, 0);
+    tumble_body_triangles(world, b, &faces);
+    return n > 2 && faces < 2 * n - 4 && tumble_body_mass(world, b) > 0;
 }
 
 static int nearest_vertex(tumble_body b, vec3 at)
 {
-    int best = 0, n = tumble_vertices(world, b, NULL, 0);
+    int best = 0, n = tumble_body_vertices(world, b, NULL, 0);
     for (int i = 1; i < n; i++)
-        if (vec3_distance(taken(tumble_vertex(world, b, i)), at) < vec3_distance(taken(tumble_vertex(world, b, best)), at))
+        if (vec3_distance(taken(tumble_body_vertex(world, b, i)), at)
+            < vec3_distance(taken(tumble_body_vertex(world, b, best)), at))
             best = i;
     return best;
 }
@@ -76,12 +78,14 @@ static int nearest_vertex(tumble_body b, vec3 at)
 static tumble_shape new_shape(int kind, double m)
 {
     switch (kind) {
-    case BOX:   return tumble_box(world, tumble_v(0.35 * m, 0.35 * m, 0.35 * m), 1);
-    case BALL:  return tumble_sphere(world, 0.2 * m, 1);
-    case STONE: return tumble_icosahedron(world, 0.22 * m, 1);
-    case ROD:   return tumble_capsule(world, 0.4 * m, 0.1 * m, 1);
-    case CLOTH: return tumble_cloth(world, 16, 16, 1.1 * m, 1.1 * m, 0.2);
-    default:    return tumble_rope(world, 24, 1.6 * m, 0.3);
+    case BOX:   return tumble_shape_box(world,
+                                        tumble_v(0.35 * m, 0.35 * m, 0.35 * m),
+                                        1);
+    case BALL:  return tumble_shape_sphere(world, 0.2 * m, 1);
+    case STONE: return tumble_shape_icosahedron(world, 0.22 * m, 1);
+    case ROD:   return tumble_shape_capsule(world, 0.4 * m, 0.1 * m, 1);
+    case CLOTH: return tumble_shape_cloth(world, 16, 16, 1.1 * m, 1.1 * m, 0.2);
+    default:    return tumble_shape_rope(world, 24, 1.6 * m, 0.3);
     }
 }
 
@@ -90,9 +94,12 @@ static void press(int button)
     (void)button;
     if (!world || bodies == MOST) return;
     vec3 at = view_back(vec3_make(0.17 * (thrown * 3 % 7 - 3), 2.1, 0.15 * (thrown * 2 % 5 - 2)));
-    tumble_body b = tumble_add(world, new_shape(live_choice(NEW), 1 / view_scale()), tumble_at(at.x, at.y, at.z));
+    tumble_body b = tumble_body_add(world,
+                                    new_shape(live_choice(NEW),
+                                              1 / view_scale()),
+                                    tumble_body_at(at.x, at.y, at.z));
     thrown++;
-    if (tumble_has(world, b)) all[bodies++] = b;
+    if (tumble_body_exists(world, b)) all[bodies++] = b;
 }
 
 // --- Hands ------------------------------------------------------------------------------
@@ -106,23 +113,29 @@ static void pull(tumble_body b)
     static tumble_body held;
     static int vertex;
     if (!is_soft(b)) {
-        vec3 a = pull_of(tumble_position(world, b), tumble_velocity(world, b));
-        tumble_push(world, b, given(vec3_scale(tumble_mass(world, b) / 60, a)), tumble_position(world, b));
+        vec3 a = pull_of(tumble_body_position(world, b),
+                         tumble_body_velocity(world, b));
+        tumble_body_push(world, b,
+                         given(vec3_scale(tumble_body_mass(world, b) / 60, a)),
+                         tumble_body_position(world, b));
         return;
     }
     if (held.place != b.place) vertex = nearest_vertex(b, view_back(live_touched()));
     held = b;
-    int n = tumble_vertices(world, b, NULL, 0);
-    vec3 way = vec3_sub(view_back(live_touched()), taken(tumble_vertex(world, b, vertex)));
-    tumble_push_vertex(world, b, vertex, given(vec3_scale(60 * tumble_mass(world, b) / n, way)));
+    int n = tumble_body_vertices(world, b, NULL, 0);
+    vec3 way = vec3_sub(view_back(live_touched()),
+                        taken(tumble_body_vertex(world, b, vertex)));
+    tumble_body_push_vertex(world, b, vertex,
+                            given(vec3_scale(60 * tumble_body_mass(world, b)
+                                             / n, way)));
 }
 
 static bool take_pin(tumble_body b)
 {
     for (int k = 0; k < pins; k++) {
         if (pin[k].body.place != b.place) continue;
-        if (pin[k].vertex >= 0) tumble_unpin(world, b, pin[k].vertex);
-        else tumble_unjoin(world, pin[k].joint);
+        if (pin[k].vertex >= 0) tumble_body_unpin(world, b, pin[k].vertex);
+        else tumble_joint_remove(world, pin[k].joint);
         pin[k] = pin[--pins];
         return true;
     }
@@ -134,8 +147,9 @@ static void put_pin(tumble_body b, vec3 at)
     if (pins == PINS || (!is_soft(b) && take_pin(b))) return;
     pin[pins].body = b;
     pin[pins].vertex = is_soft(b) ? nearest_vertex(b, at) : -1;
-    if (pin[pins].vertex >= 0) tumble_pin(world, b, pin[pins].vertex);
-    else pin[pins].joint = tumble_ball(world, tumble_ground(), b, given(at));
+    if (pin[pins].vertex >= 0) tumble_body_pin(world, b, pin[pins].vertex);
+    else pin[pins].joint = tumble_joint_ball(world, tumble_body_ground(), b,
+                                             given(at));
     pins++;
 }
 
@@ -147,22 +161,24 @@ static void tie(tumble_body b, vec3 at)
         return;
     }
     is_tying = false;
-    if (b.place == tied.place || !tumble_has(world, tied)) return;
+    if (b.place == tied.place || !tumble_body_exists(world, tied)) return;
     if (is_soft(b) && is_soft(tied)) return;
-    if (is_soft(b)) tumble_hang(world, b, nearest_vertex(b, at), tied);
-    else if (is_soft(tied)) tumble_hang(world, tied, nearest_vertex(tied, taken(tied_at)), b);
-    else tumble_distance(world, tied, tied_at, b, given(at), 0, vec3_distance(at, taken(tied_at)));
+    if (is_soft(b)) tumble_joint_hang(world, b, nearest_vertex(b, at), tied);
+    else if (is_soft(tied))
+        tumble_joint_hang(world, tied, nearest_vertex(tied, taken(tied_at)), b);
+    else tumble_joint_distance(world, tied, tied_at, b, given(at), 0,
+                               vec3_distance(at, taken(tied_at)));
 }
 
 static void cut(tumble_body b)
 {
     tumble_joint joint[MOST];
-    int n = int_min(tumble_joints(world, joint, MOST), MOST);
+    int n = int_min(tumble_world_joints(world, joint, MOST), MOST);
     while (take_pin(b)) continue;
     for (int k = 0; k < n; k++)
         if (tumble_joint_body(world, joint[k], 0).place == b.place || tumble_joint_body(world, joint[k], 1).place == b.place)
-            tumble_unjoin(world, joint[k]);
-    tumble_wake(world, b);
+            tumble_joint_remove(world, joint[k]);
+    tumble_body_wake(world, b);
 }
 
 static void tap(int number, vec3 along)
@@ -172,14 +188,20 @@ static void tap(int number, vec3 along)
     vec3 at = view_back(live_touched()), way = vec3_unit(view_turn_back(along));
     int what = live_choice(TOUCH);
     if (what == STRIKE && is_soft(b))
-        tumble_push_vertex(world, b, nearest_vertex(b, at), given(vec3_scale(0.2 * tumble_mass(world, b) / view_scale(), way)));
-    else if (what == STRIKE) tumble_push(world, b, given(vec3_scale(3 * tumble_mass(world, b) / view_scale(), way)), given(at));
+        tumble_body_push_vertex(world, b, nearest_vertex(b, at),
+                                given(vec3_scale(0.2
+                                                 * tumble_body_mass(world, b)
+                                                 / view_scale(), way)));
+    else if (what == STRIKE)
+        tumble_body_push(world, b,
+                         given(vec3_scale(3 * tumble_body_mass(world, b)
+                                          / view_scale(), way)), given(at));
     else if (what == PIN) put_pin(b, at);
     else if (what == TIE) tie(b, at);
     else if (what == CUT) cut(b);
     else {
         cut(b);
-        tumble_remove(world, b);
+        tumble_body_remove(world, b);
         for (int k = number; k + 1 < bodies; k++) all[k] = all[k + 1];
         bodies--;
     }
@@ -191,11 +213,17 @@ static void blow(void)
 {
     vec3 wind = view_turn_back(vec3_make(live_dial(WIND) * view_scale(), 0, 0));
     for (int k = 0; k < bodies; k++) {
-        real m = tumble_mass(world, all[k]);
+        real m = tumble_body_mass(world, all[k]);
         if (m <= 0) continue;
-        if (!is_soft(all[k])) { tumble_force(world, all[k], given(vec3_scale(m / 8, wind)), tumble_v(0, 0, 0)); continue; }
-        int n = tumble_vertices(world, all[k], NULL, 0);
-        for (int i = 0; i < n; i++) tumble_push_vertex(world, all[k], i, given(vec3_scale(m / n / 60, wind)));
+        if (!is_soft(all[k])) {
+            tumble_body_force(world, all[k], given(vec3_scale(m / 8, wind)),
+                              tumble_v(0, 0, 0));
+            continue;
+        }
+        int n = tumble_body_vertices(world, all[k], NULL, 0);
+        for (int i = 0; i < n; i++)
+            tumble_body_push_vertex(world, all[k], i,
+                                    given(vec3_scale(m / n / 60, wind)));
     }
 }
 
@@ -205,15 +233,16 @@ static void step(void)
     if (live_held() >= 0 && live_held() < bodies) pull(all[live_held()]);
     if (live_dial(WIND) > 0) blow();
     if (scene->act) scene->act(world);
-    tumble_step(world);
+    tumble_world_step(world);
 }
 
 static void measure(void)
 {
     if (!world) return;
-    tumble_report r = tumble_last_step(world);
+    tumble_report r = tumble_world_last_step(world);
     live_value(AWAKE, 0, r.bodies - r.asleep);
-    if (tumble_failure(world)) live_say("%s.", tumble_failure(world));
+    if (tumble_world_failure(world))
+        live_say("%s.", tumble_world_failure(world));
     else if (is_tying) live_say("Touch the other body.");
     else live_say("%s: %s. %d bodies, %d asleep; %d contacts, %d substeps.", scene->name, scene->about, r.bodies, r.asleep,
                   r.contacts, r.substeps);
@@ -222,14 +251,14 @@ static void measure(void)
 // --- Drawing -------------------------------------------------------------------------------
 static void draw_skin(int k, live_colour c)
 {
-    int faces, n = tumble_vertices(world, all[k], NULL, 0);
-    const int *face = tumble_triangles(world, all[k], &faces);
+    int faces, n = tumble_body_vertices(world, all[k], NULL, 0);
+    const int *face = tumble_body_triangles(world, all[k], &faces);
     tumble_vec3 *vertex = malloc((size_t)n * sizeof *vertex);
     vec3 *at = malloc((size_t)n * sizeof *at);
     if (!vertex || !at) abort();
-    tumble_vertices(world, all[k], vertex, n);
+    tumble_body_vertices(world, all[k], vertex, n);
     for (int i = 0; i < n; i++) at[i] = drawn(vertex[i]);
-    int number = tumble_mass(world, all[k]) > 0 ? k : -1;
+    int number = tumble_body_mass(world, all[k]) > 0 ? k : -1;
     if (faces > 0) live_mesh(number, c, at, n, face, faces, faces < 2 * n - 4 || n > ROUND);
     for (int i = 0; !faces && i + 1 < n; i++) live_tube(number, c, at[i], at[i + 1], 0.02);
     free(vertex);
@@ -242,9 +271,11 @@ static void on_triangle(void *context, tumble_body b, const tumble_vec3 at[3])
     (void)context;
     for (int k = 0; k < bodies; k++) {
         int faces;
-        if (all[k].place != b.place || tumble_triangles(world, b, &faces)) continue;
+        if (all[k].place != b.place || tumble_body_triangles(world, b, &faces))
+            continue;
         vec3 corner[3] = { drawn(at[0]), drawn(at[1]), drawn(at[2]) };
-        live_mesh(tumble_mass(world, b) > 0 ? k : -1, COLOUR[k % 5], corner, 3, (int[]){ 0, 1, 2 }, 1, false);
+        live_mesh(tumble_body_mass(world, b) > 0 ? k : -1, COLOUR[k % 5],
+                  corner, 3, (int[]){ 0, 1, 2 }, 1, false);
     }
 }
 
@@ -262,20 +293,26 @@ static void draw(void)
     tumble_pen pen = { on_triangle, on_line, NULL, NULL };
     for (int k = 0; k < bodies; k++) {
         int faces;
-        bool is_whole = tumble_triangles(world, all[k], &faces) || is_soft(all[k]);
-        bool rests = !tumble_is_awake(world, all[k]) || tumble_mass(world, all[k]) <= 0;
+        bool is_whole = tumble_body_triangles(world, all[k], &faces)
+            || is_soft(all[k]);
+        bool rests = !tumble_body_is_awake(world, all[k])
+            || tumble_body_mass(world, all[k]) <= 0;
         if (is_whole) draw_skin(k, rests ? LIVE_GREY : COLOUR[k % 5]);
     }
-    tumble_draw(world, &pen);
+    tumble_world_draw(world, &pen);
     for (int k = 0; k < pins; k++)
-        if (pin[k].vertex >= 0) live_ball(-1, LIVE_INK, drawn(tumble_vertex(world, pin[k].body, pin[k].vertex)), 0.03);
-        else live_ball(-1, LIVE_INK, drawn(tumble_position(world, pin[k].body)), 0.03);
+        if (pin[k].vertex >= 0)
+            live_ball(-1, LIVE_INK,
+                      drawn(tumble_body_vertex(world, pin[k].body,
+                                               pin[k].vertex)), 0.03);
+        else live_ball(-1, LIVE_INK,
+                       drawn(tumble_body_position(world, pin[k].body)), 0.03);
     if (is_tying) live_ball(-1, LIVE_RED, drawn(tied_at), 0.04);
 }
 
 static unsigned long long hash(void)
 {
-    return world ? tumble_hash(world) : 0;
+    return world ? tumble_world_hash(world) : 0;
 }
 
 const live_figure figure = {

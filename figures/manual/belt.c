@@ -15,29 +15,30 @@ static double behind, caught;           // m, s
 // A box that the belt will bring, and two fingers that slide along z.
 static void build_lane(tumble_world *w, int lane, double z)
 {
-    tumble_shape cube = tumble_box(w, tumble_v(0.4, 0.4, 0.4), MASS);
-    tumble_shape pad = tumble_box(w, tumble_v(0.2, 0.5, 0.1), 2);
-    tumble_body_options at = tumble_at(-3, 0.2, z);
+    tumble_shape cube = tumble_shape_box(w, tumble_v(0.4, 0.4, 0.4), MASS);
+    tumble_shape pad = tumble_shape_box(w, tumble_v(0.2, 0.5, 0.1), 2);
+    tumble_body_options at = tumble_body_at(-3, 0.2, z);
     at.group = BOX;
-    box[lane] = tumble_add(w, cube, at);
+    box[lane] = tumble_body_add(w, cube, at);
     for (int k = 0; k < 2; k++) {
         double side = k ? 1 : -1;
-        at = tumble_at(0, 0.4, z + 0.35 * side);
-        finger[lane][k] = tumble_slider(w, arm, tumble_add(w, pad, at),
-                                        at.pose.position,
-                                        tumble_v(0, 0, -side));
-        tumble_set_motor(w, finger[lane][k], 0, HOLDS);
+        at = tumble_body_at(0, 0.4, z + 0.35 * side);
+        finger[lane][k] = tumble_joint_slider(w, arm,
+                                              tumble_body_add(w, pad, at),
+                                              at.pose.position,
+                                              tumble_v(0, 0, -side));
+        tumble_joint_set_motor(w, finger[lane][k], 0, HOLDS);
     }
 }
 
 static void build(tumble_world *w)
 {
-    tumble_body_options at = tumble_at(0, 1.5, 0);
+    tumble_body_options at = tumble_body_at(0, 1.5, 0);
     at.kind = TUMBLE_KINEMATIC;
-    arm = tumble_add(w, tumble_box(w, tumble_v(0.3, 0.2, 3), 1), at);
+    arm = tumble_body_add(w, tumble_shape_box(w, tumble_v(0.3, 0.2, 3), 1), at);
     at.pose = HOME;
     at.velocity.x = SPEED;
-    belt = tumble_add(w, tumble_box(w, tumble_v(8, 0.2, 4), 1), at);
+    belt = tumble_body_add(w, tumble_shape_box(w, tumble_v(8, 0.2, 4), 1), at);
     for (int k = 0; k < LANES; k++) build_lane(w, k, 2 * k - 1);
     caught = 0;
 }
@@ -47,19 +48,19 @@ static void build(tumble_world *w)
 static void act(tumble_world *w)
 {
     const tumble_vec3 none = { 0, 0, 0 }, up = { 0, 0.5, 0 };
-    double t = tumble_time(w), since = t - caught;
-    tumble_set_pose(w, belt, HOME);
+    double t = tumble_world_time(w), since = t - caught;
+    tumble_body_set_pose(w, belt, HOME);
     if (caught == 0) {
         const tumble_vec3 from = { 0.2, 0.2, -2 }, to = { 0.2, 0.2, 2 };
-        if (!tumble_ray(w, from, to, BOX, NULL)) return;
-        behind = SPEED * t - (tumble_position(w, box[0]).x + 3);
+        if (!tumble_world_ray(w, from, to, BOX, NULL)) return;
+        behind = SPEED * t - (tumble_body_position(w, box[0]).x + 3);
         caught = t;
-        tumble_set_velocity(w, belt, none, none);
+        tumble_body_set_velocity(w, belt, none, none);
         for (int k = 0; k < LANES * 2; k++)
-            tumble_set_motor(w, finger[k / 2][k % 2], 0.5,
-                             (k < 2 ? 1.1 : 0.9) * HOLDS);
-    } else tumble_set_velocity(w, arm, since > 0.4 && since < 2.4 ? up : none,
-                               none);
+            tumble_joint_set_motor(w, finger[k / 2][k % 2], 0.5,
+                                   (k < 2 ? 1.1 : 0.9) * HOLDS);
+    } else tumble_body_set_velocity(w, arm, since > 0.4 && since < 2.4
+                                    ? up : none, none);
 }
 
 static int laws(tumble_world *w, example_law *is)
@@ -67,9 +68,9 @@ static int laws(tumble_world *w, example_law *is)
     is[0] = example_is("behind the belt, v^2 / 2 mu g (m)",
                        SPEED * SPEED / (2 * GRIP * GRAVITY), behind);
     is[1] = example_is("lifted by 1.1 m g / 2 mu (yes: 1)", 1,
-                       tumble_position(w, box[0]).y > 1);
+                       tumble_body_position(w, box[0]).y > 1);
     is[2] = example_is("lifted by 0.9 m g / 2 mu", 0,
-                       tumble_position(w, box[1]).y > 0.3);
+                       tumble_body_position(w, box[1]).y > 0.3);
     return 3;
 }
 

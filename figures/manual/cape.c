@@ -14,18 +14,21 @@ static int inside;                      // vertices, at any time
 // that goes with the runner.
 static void build(tumble_world *w)
 {
-    tumble_add_plane(w, tumble_v(0, 1, 0), 0, -1);
-    tumble_body_options at = tumble_at(0, 0.8, 0);
+    tumble_plane_add(w, tumble_v(0, 1, 0), 0, -1);
+    tumble_body_options at = tumble_body_at(0, 0.8, 0);
     at.kind = TUMBLE_KINEMATIC;
-    runner = tumble_add(w, tumble_capsule(w, LENGTH, RADIUS, 70), at);
+    runner = tumble_body_add(w, tumble_shape_capsule(w, LENGTH, RADIUS, 70),
+                             at);
     at.pose.position = tumble_v(0, 1.6, -0.25);
-    yoke = tumble_add(w, tumble_box(w, tumble_v(0.5, 0.05, 0.05), 1), at);
-    at = tumble_at(0, 1, -0.3);
-    at.pose.rotation = tumble_turn(tumble_v(1, 0, 0), acos(-1) / 2);
+    yoke = tumble_body_add(w, tumble_shape_box(w, tumble_v(0.5, 0.05, 0.05), 1),
+                           at);
+    at = tumble_body_at(0, 1, -0.3);
+    at.pose.rotation = tumble_quat_turn(tumble_v(1, 0, 0), acos(-1) / 2);
     at.damping = 1;                     // 1/s: air
-    cape = tumble_add(w, tumble_cloth(w, COLUMNS, ROWS, 0.7, 1.2, MASS), at);
+    cape = tumble_body_add(w, tumble_shape_cloth(w, COLUMNS, ROWS, 0.7, 1.2,
+                                                 MASS), at);
     for (int i = 0; i < COLUMNS; i++)
-        stitch[i] = tumble_hang(w, cape, i, yoke);
+        stitch[i] = tumble_joint_hang(w, cape, i, yoke);
     inside = 0;
 }
 
@@ -33,8 +36,8 @@ static void build(tumble_world *w)
 static void count_inside(tumble_world *w)
 {
     static tumble_vec3 at[VERTICES];
-    tumble_vec3 c = tumble_position(w, runner);
-    int n = tumble_vertices(w, cape, at, VERTICES);
+    tumble_vec3 c = tumble_body_position(w, runner);
+    int n = tumble_body_vertices(w, cape, at, VERTICES);
     for (int k = 0; k < n; k++) {
         double x = at[k].x - c.x, y = at[k].y - c.y, z = at[k].z - c.z;
         y = fmax(0, fabs(y) - LENGTH / 2);
@@ -45,9 +48,11 @@ static void count_inside(tumble_world *w)
 // Two seconds of running, and a sudden stop.
 static void act(tumble_world *w)
 {
-    double t = tumble_time(w), speed = t > 0.3 && t < 2.3 ? 2 : 0;  // m/s
-    tumble_set_velocity(w, runner, tumble_v(0, 0, speed), tumble_v(0, 0, 0));
-    tumble_set_velocity(w, yoke, tumble_v(0, 0, speed), tumble_v(0, 0, 0));
+    double t = tumble_world_time(w);
+    double speed = t > 0.3 && t < 2.3 ? 2 : 0;  // m/s
+    tumble_body_set_velocity(w, runner, tumble_v(0, 0, speed),
+                             tumble_v(0, 0, 0));
+    tumble_body_set_velocity(w, yoke, tumble_v(0, 0, speed), tumble_v(0, 0, 0));
     count_inside(w);
 }
 

@@ -13,23 +13,29 @@ static double drive, lifted;                                // N, m
 // A winch pulls the two ends of a rope together.
 static tumble_joint wind(tumble_world *w, tumble_body jib, tumble_body b)
 {
-    tumble_vec3 low = tumble_position(w, b), high = tumble_v(low.x, HIGH, 0);
+    tumble_vec3 low = tumble_body_position(w, b),
+                high = tumble_v(low.x, HIGH, 0);
     low.y += 0.5;
-    tumble_joint r = tumble_distance(w, jib, high, b, low, 0, HIGH - low.y);
-    tumble_set_motor(w, r, -SPEED, PULL);
+    tumble_joint r = tumble_joint_distance(w, jib, high, b, low, 0,
+                                           HIGH - low.y);
+    tumble_joint_set_motor(w, r, -SPEED, PULL);
     return r;
 }
 
 static void build(tumble_world *w)
 {
     const tumble_vec3 cube = { 1, 1, 1 }, up = { 0, 1, 0 };
-    tumble_add_plane(w, up, 0, -1);
-    tumble_shape beam = tumble_box(w, tumble_v(2 * REACH, 0.4, 0.4), 1000);
-    tumble_body jib = tumble_add(w, beam, tumble_at(0, HIGH, 0));
-    load = tumble_add(w, tumble_box(w, cube, 500), tumble_at(REACH, 0.5, 0));
-    heavy = tumble_add(w, tumble_box(w, cube, 700), tumble_at(-REACH, 0.5, 0));
-    mast = tumble_hinge(w, tumble_ground(), jib, tumble_v(0, HIGH, 0), up);
-    tumble_set_motor(w, mast, 0, STRONG);
+    tumble_plane_add(w, up, 0, -1);
+    tumble_shape beam = tumble_shape_box(w, tumble_v(2 * REACH, 0.4, 0.4),
+                                         1000);
+    tumble_body jib = tumble_body_add(w, beam, tumble_body_at(0, HIGH, 0));
+    load = tumble_body_add(w, tumble_shape_box(w, cube, 500),
+                           tumble_body_at(REACH, 0.5, 0));
+    heavy = tumble_body_add(w, tumble_shape_box(w, cube, 700),
+                            tumble_body_at(-REACH, 0.5, 0));
+    mast = tumble_joint_hinge(w, tumble_body_ground(), jib,
+                              tumble_v(0, HIGH, 0), up);
+    tumble_joint_set_motor(w, mast, 0, STRONG);
     rope = wind(w, jib, load);
     other = wind(w, jib, heavy);
 }
@@ -38,17 +44,17 @@ static void build(tumble_world *w)
 // At the end the rope is let out, and is slack when the load stands.
 static void act(tumble_world *w)
 {
-    double t = tumble_time(w), length = tumble_joint_place(w, rope);
+    double t = tumble_world_time(w), length = tumble_joint_place(w, rope);
     if (fabs(t - 8) < 0.001) {
         drive = -tumble_joint_drive(w, rope);
-        lifted = tumble_position(w, load).y - 0.5;
-        tumble_set_motor(w, rope, 0, 0);
-        tumble_set_limits(w, rope, 0, length);
-        tumble_unjoin(w, other);
-        tumble_set_motor(w, mast, 0.1, STRONG);
+        lifted = tumble_body_position(w, load).y - 0.5;
+        tumble_joint_set_motor(w, rope, 0, 0);
+        tumble_joint_set_limits(w, rope, 0, length);
+        tumble_joint_remove(w, other);
+        tumble_joint_set_motor(w, mast, 0.1, STRONG);
     }
-    if (fabs(t - 24) < 0.001) tumble_set_motor(w, mast, 0, STRONG);
-    if (t > 25) tumble_set_limits(w, rope, 0, length + SPEED / 60);
+    if (fabs(t - 24) < 0.001) tumble_joint_set_motor(w, mast, 0, STRONG);
+    if (t > 25) tumble_joint_set_limits(w, rope, 0, length + SPEED / 60);
 }
 
 static int laws(tumble_world *w, example_law *is)
@@ -58,9 +64,9 @@ static int laws(tumble_world *w, example_law *is)
     is[1] = example_is("lifted, v t - v^2 / 2 a (m)",
                        8 * SPEED - SPEED * SPEED / (2 * gain), lifted);
     is[2] = example_is("centre of the load, put down (m)", 0.5,
-                       tumble_position(w, load).y);
+                       tumble_body_position(w, load).y);
     is[3] = example_is("centre of what is too heavy (m)", 0.5,
-                       tumble_position(w, heavy).y);
+                       tumble_body_position(w, heavy).y);
     return 4;
 }
 

@@ -47,31 +47,32 @@ static tumble_pose mix_pose(tumble_pose a, tumble_pose b, double part)
 
 int main(void)
 {
-    tumble_world *w = tumble_make(NULL);
-    tumble_body_options o = tumble_at(0, 0, 0);
+    tumble_world *w = tumble_world_make(NULL);
+    tumble_body_options o = tumble_body_at(0, 0, 0);
     o.velocity.y = UP;
     o.spin.z = SPIN;
-    tumble_body b = tumble_add(w, tumble_sphere(w, 0.1, 1), o);
-    tumble_pose before = tumble_get_pose(w, b), after = before;
+    tumble_body b = tumble_body_add(w, tumble_shape_sphere(w, 0.1, 1), o);
+    tumble_pose before = tumble_body_pose(w, b), after = before;
     double owed = 0, mixed = 0, plain = 0, turned = 0;      // s, m, m, rad
-    for (int k = 0; tumble_time(w) < 2; k++) {
+    for (int k = 0; tumble_world_time(w) < 2; k++) {
         owed += fmin(picture_took(k), 0.25);    // a game that stood still waits
         for (; owed >= DT; owed -= DT) {
             before = after;
-            tumble_step(w);
-            after = tumble_get_pose(w, b);
+            tumble_world_step(w);
+            after = tumble_body_pose(w, b);
         }
         tumble_pose drawn = mix_pose(before, after, owed / DT);
         // What is drawn is the world as it was a step ago.
-        double t = tumble_time(w) + owed - DT, y = UP * t - GRAVITY * t * t / 2;
+        double t = tumble_world_time(w) + owed - DT,
+               y = UP * t - GRAVITY * t * t / 2;
         tumble_quat q = drawn.rotation;
-        tumble_quat is = tumble_turn(tumble_v(0, 0, 1), SPIN * t);
+        tumble_quat is = tumble_quat_turn(tumble_v(0, 0, 1), SPIN * t);
         if (t < 0) continue;
         mixed = fmax(mixed, fabs(drawn.position.y - y));
         plain = fmax(plain, fabs(after.position.y - y));
         turned = fmax(turned, 2 * fabs(q.z * is.w - q.w * is.z));
     }
-    tumble_free(w);
+    tumble_world_free(w);
     printf("drawn within %.3f mm and %.1e rad of where it is; without mixing,"
            " %.0f mm\n", 1000 * mixed, turned, 1000 * plain);
     return !(mixed <= 1.001 * GRAVITY * DT * DT / 8 && turned < 1e-4);

@@ -25,31 +25,33 @@ static void build(tumble_world *w)
 {
     const double up = STEPS * 0.2 + 0.02;
     tumble_body part[LIMBS];
-    tumble_shape stair = tumble_box(w, tumble_v(0.3, 0.2, 2), 1);
-    tumble_add_plane(w, tumble_v(0, 1, 0), 0, -1);
+    tumble_shape stair = tumble_shape_box(w, tumble_v(0.3, 0.2, 2), 1);
+    tumble_plane_add(w, tumble_v(0, 1, 0), 0, -1);
     for (int k = 0; k < STEPS; k++) {
-        tumble_body_options at = tumble_at(0.3 * k, 0.2 * (STEPS - k) - 0.1, 0);
+        tumble_body_options at = tumble_body_at(0.3 * k,
+                                                0.2 * (STEPS - k) - 0.1, 0);
         at.kind = TUMBLE_STATIC;
-        tumble_add(w, stair, at);
+        tumble_body_add(w, stair, at);
     }
     for (int k = 0; k < LIMBS; k++) {
         double r = limb[k].radius, l = limb[k].length, x = limb[k].x;
         tumble_vec3 at = tumble_v(0, limb[k].at + up, x);
-        tumble_shape s = tumble_capsule(w, l, r, 3000 * r * r * (l + r));
-        part[k] = tumble_add(w, s, tumble_at(0, limb[k].y + up, x));
+        tumble_shape s = tumble_shape_capsule(w, l, r, 3000 * r * r * (l + r));
+        part[k] = tumble_body_add(w, s, tumble_body_at(0, limb[k].y + up, x));
         if (k == 0) continue;
         tumble_body on = part[limb[k].on];
         if (limb[k].swing > 0) {
-            joint[k] = tumble_ball(w, on, part[k], at);
-            tumble_set_cone(w, joint[k], tumble_v(0, 1, 0), limb[k].swing,
-                            limb[k].least, limb[k].most);
+            joint[k] = tumble_joint_ball(w, on, part[k], at);
+            tumble_joint_set_cone(w, joint[k], tumble_v(0, 1, 0), limb[k].swing,
+                                  limb[k].least, limb[k].most);
         } else {
-            joint[k] = tumble_hinge(w, on, part[k], at, tumble_v(0, 0, 1));
-            tumble_set_limits(w, joint[k], limb[k].least, limb[k].most);
+            joint[k] = tumble_joint_hinge(w, on, part[k], at,
+                                          tumble_v(0, 0, 1));
+            tumble_joint_set_limits(w, joint[k], limb[k].least, limb[k].most);
         }
     }
     gap = beyond = 0;
-    tumble_push(w, part[0], tumble_v(150, 0, 0), tumble_v(0, 1.4 + up, 0));
+    tumble_body_push(w, part[0], tumble_v(150, 0, 0), tumble_v(0, 1.4 + up, 0));
 }
 static void act(tumble_world *w)
 {

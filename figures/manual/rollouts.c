@@ -24,17 +24,17 @@ static double angle_of(int k)           // rad
 // The same world again, and a throw, until the ball is as low as it began.
 static double roll_out(double angle)
 {
-    tumble_world *w = tumble_load(bytes, size);
-    tumble_vec3 at = tumble_position(w, ball), before;
-    tumble_set_velocity(w, ball, tumble_v(SPEED * cos(angle),
-                                          SPEED * sin(angle), 0),
-                        tumble_v(0, 0, 0));
+    tumble_world *w = tumble_world_load(bytes, size);
+    tumble_vec3 at = tumble_body_position(w, ball), before;
+    tumble_body_set_velocity(w, ball, tumble_v(SPEED * cos(angle),
+                                               SPEED * sin(angle), 0),
+                             tumble_v(0, 0, 0));
     do {
         before = at;
-        tumble_step(w);
-        at = tumble_position(w, ball);
+        tumble_world_step(w);
+        at = tumble_body_position(w, ball);
     } while (at.y > 0);
-    tumble_free(w);
+    tumble_world_free(w);
     return before.x + (at.x - before.x) * before.y / (before.y - at.y);
 }
 
@@ -48,12 +48,13 @@ static void *work(void *first)
 
 int main(void)
 {
-    tumble_world *w = tumble_make(NULL);
-    ball = tumble_add(w, tumble_sphere(w, 0.1, 1), tumble_at(0, 0, 0));
-    size = tumble_save(w, NULL, 0);
+    tumble_world *w = tumble_world_make(NULL);
+    ball = tumble_body_add(w, tumble_shape_sphere(w, 0.1, 1),
+                           tumble_body_at(0, 0, 0));
+    size = tumble_world_save(w, NULL, 0);
     bytes = malloc(size);
-    tumble_save(w, bytes, size);
-    tumble_free(w);
+    tumble_world_save(w, bytes, size);
+    tumble_world_free(w);
     pthread_t thread[THREADS];
     int first[THREADS], best = 0;
     for (int k = 0; k < THREADS; k++) {

@@ -7,19 +7,19 @@ import tumble
 ROLLOUTS, SPEED, GRAVITY = 2000, 10, 9.81       # m/s, m/s^2
 
 w = tumble.World()
-ball = w.add(w.sphere(0.1, 1), tumble.at(0, 0, 0))
+ball = w.body_add(w.shape_sphere(0.1, 1), tumble.body_at(0, 0, 0))
 saved = w.save()
 
 
 def roll_out(angle):
     """The same world again, and one throw, until the ball is as low as it began."""
     w = tumble.World.load(saved)
-    w.set_velocity(ball, (SPEED * math.cos(angle), SPEED * math.sin(angle), 0), (0, 0, 0))
-    before, at = None, w.position(ball)
+    w.body_set_velocity(ball, (SPEED * math.cos(angle), SPEED * math.sin(angle), 0), (0, 0, 0))
+    before, at = None, w.body_position(ball)
     while before is None or at.y > 0:
         before = at
         w.step()
-        at = w.position(ball)
+        at = w.body_position(ball)
     return before.x + (at.x - before.x) * before.y / (before.y - at.y)
 
 

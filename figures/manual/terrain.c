@@ -20,29 +20,30 @@ static double ground(double x, double z)
 static tumble_body put(tumble_world *w, tumble_shape s, double x, double z)
 {
     tumble_hit h;
-    tumble_ray(w, tumble_v(x, 50, z), tumble_v(x, -50, z), ~0u, &h);
-    return tumble_add(w, s, tumble_at(x + RADIUS * h.normal.x,
-                                      h.point.y + RADIUS * h.normal.y, z));
+    tumble_world_ray(w, tumble_v(x, 50, z), tumble_v(x, -50, z), ~0u, &h);
+    return tumble_body_add(w, s, tumble_body_at(x + RADIUS * h.normal.x,
+                                                h.point.y + RADIUS * h.normal.y,
+                                                z));
 }
 
 static void build(tumble_world *w)
 {
     static double height[SIDE * SIDE];
-    tumble_shape stone = tumble_sphere(w, RADIUS, 500);
+    tumble_shape stone = tumble_shape_sphere(w, RADIUS, 500);
     for (int k = 0; k < SIDE * SIDE; k++)
         height[k] = ground(WIDE * (k % SIDE) / (SIDE - 1) - WIDE / 2,
                            WIDE * (k / SIDE) / (SIDE - 1) - WIDE / 2);
-    tumble_add_heights(w, height, SIDE, SIDE, WIDE, WIDE, 0,
-                       tumble_at(0, 0, 0));
+    tumble_body_add_heights(w, height, SIDE, SIDE, WIDE, WIDE, 0,
+                            tumble_body_at(0, 0, 0));
     for (int k = 0; k < BOULDERS; k++)
         boulder[k] = put(w, stone, -15, 1.5 * (k - (BOULDERS - 1) / 2.0));
-    start = tumble_position(w, boulder[0]).x;
+    start = tumble_body_position(w, boulder[0]).x;
 }
 
 static void act(tumble_world *w)
 {
-    double x = tumble_position(w, boulder[0]).x;
-    if (fabs(tumble_time(w) - 2) < 0.001)
+    double x = tumble_body_position(w, boulder[0]).x;
+    if (fabs(tumble_world_time(w) - 2) < 0.001)
         rolled = (x - start) * sqrt(1 + SLOPE * SLOPE);
 }
 
@@ -51,7 +52,7 @@ static int laws(tumble_world *w, example_law *is)
     double sine = SLOPE / sqrt(1 + SLOPE * SLOPE), t = 2;
     int above = 0;
     for (int k = 0; k < BOULDERS; k++) {
-        tumble_vec3 p = tumble_position(w, boulder[k]);
+        tumble_vec3 p = tumble_body_position(w, boulder[k]);
         above += p.y - ground(p.x, p.z) > 0.9 * RADIUS;
     }
     is[0] = example_is("rolled, 5/14 g sin a t^2 (m)",

@@ -11,26 +11,27 @@ static tumble_body walker, crate;
 
 static void place(tumble_world *w, double x, double y, tumble_vec3 sides)
 {
-    tumble_body_options at = tumble_at(x, y, 0);
+    tumble_body_options at = tumble_body_at(x, y, 0);
     at.kind = TUMBLE_STATIC;
-    tumble_add(w, tumble_box(w, sides, 1), at);
+    tumble_body_add(w, tumble_shape_box(w, sides, 1), at);
 }
 
 static void build(tumble_world *w)
 {
-    tumble_add_plane(w, tumble_v(0, 1, 0), 0, -1);
+    tumble_plane_add(w, tumble_v(0, 1, 0), 0, -1);
     for (int k = 0; k < STEPS; k++)
         place(w, 3 + 0.3 * k, RISE * (k + 0.5), tumble_v(0.3, RISE, 3));
     place(w, 9, TOP / 2, tumble_v(6, TOP, 12));
     place(w, 11.5, TOP / 2 + 2, tumble_v(1, TOP + 4, 12));
-    tumble_body_options at = tumble_at(0, 0.9 + SKIN, 0);
+    tumble_body_options at = tumble_body_at(0, 0.9 + SKIN, 0);
     at.kind = TUMBLE_KINEMATIC;
     at.group = WALKER;
-    shape = tumble_capsule(w, 1.2, 0.3, 70);
-    walker = tumble_add(w, shape, at);
-    at = tumble_at(10.7, TOP + 0.25, 2);
+    shape = tumble_shape_capsule(w, 1.2, 0.3, 70);
+    walker = tumble_body_add(w, shape, at);
+    at = tumble_body_at(10.7, TOP + 0.25, 2);
     at.group = CRATE;
-    crate = tumble_add(w, tumble_box(w, tumble_v(0.5, 0.5, 0.5), 20), at);
+    crate = tumble_body_add(w, tumble_shape_box(w, tumble_v(0.5, 0.5, 0.5), 20),
+                            at);
 }
 
 static tumble_vec3 plus(tumble_vec3 a, double by, tumble_vec3 b)
@@ -49,7 +50,7 @@ static tumble_vec3 go(tumble_world *w, tumble_vec3 from, tumble_vec3 *way)
 {
     tumble_pose pose = { from, { 0, 0, 0, 1 } };
     tumble_hit h = { .fraction = 1 };
-    if (tumble_sweep(w, shape, pose, *way, LEVEL, &h))
+    if (tumble_world_sweep(w, shape, pose, *way, LEVEL, &h))
         h.fraction = fmax(0, h.fraction - SKIN / sqrt(dot(*way, *way)));
     tumble_vec3 went = *way, left = plus(went, -dot(went, h.normal), h.normal);
     *way = plus(tumble_v(0, 0, 0), 1 - h.fraction, left);
@@ -60,24 +61,23 @@ static tumble_vec3 go(tumble_world *w, tumble_vec3 from, tumble_vec3 *way)
 // gets the velocity that takes it there, and pushes the crate on its way.
 static void act(tumble_world *w)
 {
-    double turned = tumble_time(w) > 4.99 ? acos(-1) / 4 : 0, way = SPEED * DT;
+    double turn = tumble_world_time(w) > 4.99 ? acos(-1) / 4 : 0;
     tumble_vec3 up = { 0, 1.2 * RISE, 0 }, down = { 0, -2.4 * RISE, 0 };
-    tumble_vec3 ahead = { way * cos(turned), 0, way * sin(turned) };
-    tumble_vec3 from = tumble_position(w, walker), to = go(w, from, &up);
+    tumble_vec3 ahead = { SPEED * DT * cos(turn), 0, SPEED * DT * sin(turn) };
+    tumble_vec3 from = tumble_body_position(w, walker), to = go(w, from, &up);
     for (int k = 0; k < 3; k++) to = go(w, to, &ahead);
-    to = go(w, to, &down);
-    tumble_vec3 none = { 0, 0, 0 }, moves = plus(to, -1, from);
-    tumble_set_velocity(w, walker, plus(none, 1 / DT, moves), none);
+    tumble_vec3 none = { 0, 0, 0 }, moves = plus(go(w, to, &down), -1, from);
+    tumble_body_set_velocity(w, walker, plus(none, 1 / DT, moves), none);
 }
 
 static int laws(tumble_world *w, example_law *is)
 {
-    tumble_vec3 at = tumble_position(w, walker);
+    tumble_vec3 at = tumble_body_position(w, walker);
     is[0] = example_is("climbed (m)", TOP, at.y - 0.9 - SKIN);
     is[1] = example_is("along the wall, v t cos 45 (m)",
-                       SPEED * (tumble_time(w) - 5) * sqrt(0.5), at.z);
+                       SPEED * (tumble_world_time(w) - 5) * sqrt(0.5), at.z);
     is[2] = example_is("the crate is before it (yes: 1)", 1,
-                       tumble_position(w, crate).z > at.z + 0.3);
+                       tumble_body_position(w, crate).z > at.z + 0.3);
     return 3;
 }
 

@@ -16,19 +16,19 @@ static tumble_vec3 joint(int k)
 
 static void build(tumble_world *w)
 {
-    tumble_shape s = tumble_box(w, tumble_v(LENGTH, 0.05, 1.5), 8);
+    tumble_shape s = tumble_shape_box(w, tumble_v(LENGTH, 0.05, 1.5), 8);
     for (int k = 0; k < PLANKS; k++) {
         tumble_vec3 a = joint(k), b = joint(k + 1);
-        tumble_body_options at = tumble_at((a.x + b.x) / 2, (a.y + b.y) / 2, 0);
-        double slope = atan2(b.y - a.y, b.x - a.x);
-        at.pose.rotation = tumble_turn(tumble_v(0, 0, 1), slope);
+        double x = (a.x + b.x) / 2, slope = atan2(b.y - a.y, b.x - a.x);
+        tumble_body_options at = tumble_body_at(x, (a.y + b.y) / 2, 0);
+        at.pose.rotation = tumble_quat_turn(tumble_v(0, 0, 1), slope);
         at.damping = at.spin_damping = 0.5;
-        plank[k] = tumble_add(w, s, at);
+        plank[k] = tumble_body_add(w, s, at);
     }
     for (int k = 0; k <= PLANKS; k++)
-        tumble_hinge(w, k > 0 ? plank[k - 1] : tumble_ground(),
-                     k < PLANKS ? plank[k] : tumble_ground(),
-                     joint(k), tumble_v(0, 0, 1));
+        tumble_joint_hinge(w, k > 0 ? plank[k - 1] : tumble_body_ground(),
+                           k < PLANKS ? plank[k] : tumble_body_ground(),
+                           joint(k), tumble_v(0, 0, 1));
 }
 
 // How deep planks hang, and how far they span; the pull is in weights of one.
@@ -49,7 +49,7 @@ static double wrong_sag(tumble_world *w)
     for (double by = 500; by > 1e-12; by /= 2, pull += span < SPAN ? by : -by)
         hangs(pull, &span);
     double half = 0.25 * LENGTH / sqrt(1 + 4 * pull * pull);  // of a plank
-    double sag = half - tumble_position(w, plank[PLANKS / 2]).y;
+    double sag = half - tumble_body_position(w, plank[PLANKS / 2]).y;
     return fabs(sag - hangs(pull, &span));
 }
 

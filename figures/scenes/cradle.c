@@ -19,26 +19,27 @@ static tumble_options elastic(void)
 static void build(tumble_world *w)
 {
     const double radius = 0.1, length = 1;      // m
-    tumble_shape s = tumble_sphere(w, radius, 0.5);
+    tumble_shape s = tumble_shape_sphere(w, radius, 0.5);
     fastest_first = fastest_last = 0;
     for (int k = 0; k < BALLS; k++) {
         double x = 2.0005 * radius * k, lift = k == 0 ? 0.7 : 0;    // rad
-        tumble_body_options at = tumble_at(x - length * sin(lift),
-                                           -length * cos(lift), 0);
-        ball[k] = tumble_add(w, s, at);
+        tumble_body_options at = tumble_body_at(x - length * sin(lift),
+                                                -length * cos(lift), 0);
+        ball[k] = tumble_body_add(w, s, at);
         for (int side = -1; side <= 1; side += 2) {
             tumble_vec3 nail = tumble_v(x, 0, 0.5 * side);
             double string = sqrt(length * length + 0.25);
-            tumble_distance(w, ball[k], at.pose.position, tumble_ground(), nail,
-                            0, string);
+            tumble_joint_distance(w, ball[k], at.pose.position,
+                                  tumble_body_ground(), nail, 0, string);
         }
     }
 }
 
 static void act(tumble_world *w)
 {
-    fastest_first = fmax(fastest_first, tumble_velocity(w, ball[0]).x);
-    fastest_last = fmax(fastest_last, tumble_velocity(w, ball[BALLS - 1]).x);
+    fastest_first = fmax(fastest_first, tumble_body_velocity(w, ball[0]).x);
+    fastest_last = fmax(fastest_last,
+                        tumble_body_velocity(w, ball[BALLS - 1]).x);
 }
 
 static double lost(tumble_world *w)

@@ -6,23 +6,24 @@ static tumble_body cloth, ball;
 
 static void build(tumble_world *w)
 {
-    tumble_body_options at = tumble_at(0, 1.5, 0);
-    at.pose.rotation = tumble_turn(tumble_v(1, 0, 0), 1.5707963);
-    cloth = tumble_add(w, tumble_cloth(w, SIDE, SIDE, 2, 2, 0.8), at);
-    for (int i = 0; i < SIDE; i++) tumble_pin(w, cloth, i);
-    tumble_body_options walker = tumble_at(0.1, 1, -2);
+    tumble_body_options at = tumble_body_at(0, 1.5, 0);
+    at.pose.rotation = tumble_quat_turn(tumble_v(1, 0, 0), 1.5707963);
+    cloth = tumble_body_add(w, tumble_shape_cloth(w, SIDE, SIDE, 2, 2, 0.8),
+                            at);
+    for (int i = 0; i < SIDE; i++) tumble_body_pin(w, cloth, i);
+    tumble_body_options walker = tumble_body_at(0.1, 1, -2);
     walker.kind = TUMBLE_KINEMATIC;
     walker.velocity = tumble_v(0, 0, 1);
-    ball = tumble_add(w, tumble_sphere(w, 0.4, 1), walker);
+    ball = tumble_body_add(w, tumble_shape_sphere(w, 0.4, 1), walker);
 }
 
 // m, by which the deepest vertex of the curtain is inside the ball.
 static double inside(tumble_world *w)
 {
     static tumble_vec3 at[SIDE * SIDE];
-    tumble_vec3 c = tumble_position(w, ball);
+    tumble_vec3 c = tumble_body_position(w, ball);
     double deepest = 0;
-    int n = tumble_vertices(w, cloth, at, SIDE * SIDE);
+    int n = tumble_body_vertices(w, cloth, at, SIDE * SIDE);
     for (int k = 0; k < n; k++) {
         double x = at[k].x - c.x, y = at[k].y - c.y, z = at[k].z - c.z;
         double deep = 0.16 - (x * x + y * y + z * z);

@@ -9,23 +9,24 @@ static tumble_body piece[PIECES];
 static void build(tumble_world *w)
 {
     const double radius = 6, step = 0.5 / radius;       // m, rad
-    tumble_shape s = tumble_box(w, tumble_v(0.2, 1, 0.5), 0.3);
-    tumble_add_plane(w, tumble_v(0, 1, 0), 0, -1);
+    tumble_shape s = tumble_shape_box(w, tumble_v(0.2, 1, 0.5), 0.3);
+    tumble_plane_add(w, tumble_v(0, 1, 0), 0, -1);
     for (int k = 0; k < PIECES; k++) {
         double angle = k * step;
-        tumble_body_options at = tumble_at(radius * sin(angle), 0.5,
-                                           radius * cos(angle));
-        at.pose.rotation = tumble_turn(tumble_v(0, 1, 0), angle);
-        piece[k] = tumble_add(w, s, at);
+        tumble_body_options at = tumble_body_at(radius * sin(angle), 0.5,
+                                                radius * cos(angle));
+        at.pose.rotation = tumble_quat_turn(tumble_v(0, 1, 0), angle);
+        piece[k] = tumble_body_add(w, s, at);
     }
-    tumble_push(w, piece[0], tumble_v(0.6, 0, 0), tumble_v(0, 1, radius));
+    tumble_body_push(w, piece[0], tumble_v(0.6, 0, 0), tumble_v(0, 1, radius));
 }
 
 // How many still stand?
 static double standing(tumble_world *w)
 {
     int n = 0;
-    for (int k = 0; k < PIECES; k++) n += tumble_position(w, piece[k]).y > 0.45;
+    for (int k = 0; k < PIECES; k++)
+        n += tumble_body_position(w, piece[k]).y > 0.45;
     return n;
 }
 

@@ -25,20 +25,20 @@ static void tell_laws(const example *s, tumble_world *w)
 static bool run(const example *s)
 {
     tumble_options o = s->options ? s->options() : tumble_options_default();
-    tumble_world *w = tumble_make(&o);
+    tumble_world *w = tumble_world_make(&o);
     if (w) s->build(w);
-    while (w && tumble_time(w) < s->seconds && !tumble_failure(w)) {
+    while (w && tumble_world_time(w) < s->seconds && !tumble_world_failure(w)) {
         if (s->act) s->act(w);
-        tumble_step(w);
+        tumble_world_step(w);
     }
-    const char *why = tumble_failure(w);
+    const char *why = tumble_world_failure(w);
     double error = why ? 0 : example_error(s, w);
     bool holds = !why && error <= s->most;
     if (why) printf("%s: %s\n", s->name, why);
     else printf("%s: %s: %s (%.3g, at most %.3g)\n", s->name,
                 holds ? "holds" : "FAILS", s->claim, error, s->most);
     if (!why && s->laws) tell_laws(s, w);
-    tumble_free(w);
+    tumble_world_free(w);
     return holds;
 }
 

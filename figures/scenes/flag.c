@@ -8,11 +8,11 @@ static tumble_body cloth;
 
 static void build(tumble_world *w)
 {
-    tumble_shape s = tumble_cloth(w, COLUMNS, ROWS, 1.5, 1, 0.3);
-    tumble_body_options at = tumble_at(0.75, 3, 0);
-    at.pose.rotation = tumble_turn(tumble_v(1, 0, 0), 1.5707963);
-    cloth = tumble_add(w, s, at);
-    for (int j = 0; j < ROWS; j++) tumble_pin(w, cloth, j * COLUMNS);
+    tumble_shape s = tumble_shape_cloth(w, COLUMNS, ROWS, 1.5, 1, 0.3);
+    tumble_body_options at = tumble_body_at(0.75, 3, 0);
+    at.pose.rotation = tumble_quat_turn(tumble_v(1, 0, 0), 1.5707963);
+    cloth = tumble_body_add(w, s, at);
+    for (int j = 0; j < ROWS; j++) tumble_body_pin(w, cloth, j * COLUMNS);
 }
 
 static tumble_vec3 less(tumble_vec3 a, tumble_vec3 b)
@@ -25,11 +25,11 @@ static void act(tumble_world *w)
 {
     static tumble_vec3 at[COLUMNS * ROWS];
     const double air = 1.2, speed = 8, dt = 1.0 / 60;   // kg/m^3, m/s, s
-    double angle = 0.4 * sin(0.7 * tumble_time(w));
+    double angle = 0.4 * sin(0.7 * tumble_world_time(w));
     tumble_vec3 wind = tumble_v(speed * cos(angle), 0, speed * sin(angle));
     int n;
-    const int *corner = tumble_triangles(w, cloth, &n);
-    tumble_vertices(w, cloth, at, COLUMNS * ROWS);
+    const int *corner = tumble_body_triangles(w, cloth, &n);
+    tumble_body_vertices(w, cloth, at, COLUMNS * ROWS);
     for (int k = 0; k < n; k++) {
         const int *c = corner + 3 * k;
         tumble_vec3 p = less(at[c[1]], at[c[0]]), q = less(at[c[2]], at[c[0]]);
@@ -39,15 +39,16 @@ static void act(tumble_world *w)
         double from = (wind.x * d.x + wind.z * d.z) / twice;        // m/s
         double push = air * fabs(from) * from / 2 * dt / 3 / 2;     // N s/m^2
         for (int i = 0; i < 3; i++)
-            tumble_push_vertex(w, cloth, c[i], tumble_v(push * d.x, push * d.y,
-                                                        push * d.z));
+            tumble_body_push_vertex(w, cloth, c[i],
+                                    tumble_v(push * d.x, push * d.y,
+                                             push * d.z));
     }
 }
 
 static double strain(tumble_world *w)
 {
-    bool flies = tumble_position(w, cloth).x > 0.4;
-    return flies ? tumble_measure(w).strain : 1;
+    bool flies = tumble_body_position(w, cloth).x > 0.4;
+    return flies ? tumble_world_measure(w).strain : 1;
 }
 
 const example flag = {

@@ -9,7 +9,7 @@ static tumble_body marble[MARBLES];
 // Twelve boards around a hole, which lean inwards by half a right angle.
 static void build_funnel(tumble_world *w)
 {
-    tumble_shape board = tumble_box(w, tumble_v(1.6, 0.1, 1.2), 1);
+    tumble_shape board = tumble_shape_box(w, tumble_v(1.6, 0.1, 1.2), 1);
     tumble_shape piece[SIDES];
     tumble_pose pose[SIDES];
     for (int k = 0; k < SIDES; k++) {
@@ -22,22 +22,22 @@ static void build_funnel(tumble_world *w)
                           c * cos(half) };
         pose[k].rotation = q;
     }
-    tumble_body_options at = tumble_at(0, 0, 0);
+    tumble_body_options at = tumble_body_at(0, 0, 0);
     at.friction = 0.1;
-    tumble_add_pieces(w, piece, pose, SIDES, at);
+    tumble_body_add_pieces(w, piece, pose, SIDES, at);
 }
 
 static void build(tumble_world *w)
 {
-    tumble_shape s = tumble_sphere(w, 0.05, 0.01);
-    tumble_add_plane(w, tumble_v(0, 1, 0), 0, -1);
+    tumble_shape s = tumble_shape_sphere(w, 0.05, 0.01);
+    tumble_plane_add(w, tumble_v(0, 1, 0), 0, -1);
     build_funnel(w);
     for (int k = 0; k < MARBLES; k++) {
-        tumble_body_options at = tumble_at(0.11 * (k % 5 - 2.02),
-                                           2.6 + 0.11 * (k / 25),
-                                           0.11 * (k / 5 % 5 - 2.01));
+        tumble_body_options at = tumble_body_at(0.11 * (k % 5 - 2.02),
+                                                2.6 + 0.11 * (k / 25),
+                                                0.11 * (k / 5 % 5 - 2.01));
         at.friction = 0.1;
-        marble[k] = tumble_add(w, s, at);
+        marble[k] = tumble_body_add(w, s, at);
     }
 }
 
@@ -45,7 +45,8 @@ static void build(tumble_world *w)
 static double stuck(tumble_world *w)
 {
     int n = 0;
-    for (int k = 0; k < MARBLES; k++) n += tumble_position(w, marble[k]).y > 1;
+    for (int k = 0; k < MARBLES; k++)
+        n += tumble_body_position(w, marble[k]).y > 1;
     return n;
 }
 

@@ -6,20 +6,20 @@ static tumble_body top;
 
 static void build(tumble_world *w)
 {
-    tumble_shape box = tumble_box(w, tumble_v(1, 1, 1), 1);
-    tumble_add_plane(w, tumble_v(0, 1, 0), 0, -1);
+    tumble_shape box = tumble_shape_box(w, tumble_v(1, 1, 1), 1);
+    tumble_plane_add(w, tumble_v(0, 1, 0), 0, -1);
     for (int row = 0; row < ROWS; row++)
         for (int k = 0; k < ROWS - row; k++)
-            top = tumble_add(w, box, tumble_at(1.1 * (k + row / 2.0),
-                                               row + 0.5, 0));
+            top = tumble_body_add(w, box, tumble_body_at(1.1 * (k + row / 2.0),
+                                                         row + 0.5, 0));
 }
 
 // m, by which the highest box has moved.
 static double moved(tumble_world *w)
 {
-    tumble_vec3 at = tumble_position(w, top);
+    tumble_vec3 at = tumble_body_position(w, top);
     double x = at.x - 1.1 * (ROWS - 1) / 2.0, y = at.y - (ROWS - 0.5);
-    bool sleeps = tumble_last_step(w).asleep == BOXES;
+    bool sleeps = tumble_world_last_step(w).asleep == BOXES;
     return sleeps ? x * x + y * y + at.z * at.z : 1;
 }
 

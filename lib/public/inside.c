@@ -70,7 +70,7 @@ bool inside_is_group(tumble_world *w, unsigned group)
 {
     return group != 0
         || inside_fail(w, "a body of group 0 meets nothing, and no question "
-                       "finds it: options begin with tumble_at");
+                       "finds it: options begin with tumble_body_at");
 }
 
 joint_place *inside_joint(tumble_world *w, tumble_joint j)
@@ -154,7 +154,7 @@ void inside_free_mesh(body_mesh *m)
     free(m);
 }
 
-tumble_body tumble_ground(void)
+tumble_body tumble_body_ground(void)
 {
     return (tumble_body){ UINT_MAX, UINT_MAX };
 }
@@ -167,7 +167,7 @@ rigid_frame inside_frame(const tumble_world *w, int b)
 
 tumble_body inside_owner(const tumble_world *w, int b)
 {
-    if (b < 0) return tumble_ground();
+    if (b < 0) return tumble_body_ground();
     int k = w->owner[b];
     return (tumble_body){ (unsigned)k, slots_generation(&w->bodies, k) };
 }

@@ -82,12 +82,13 @@ struct tumble_world {
     int   owners;           // room
     vec3 *scratch;          // [4 * most_vertices] for questions and pictures
     int   most_vertices;    // of a shape
-    tumble_contact *touching;   // those that tumble_events saw
+    tumble_contact *touching;   // those that tumble_world_events saw
     int   touchings;
-    tumble_contact *sensed;     // likewise, tumble_sensor_events: a is the sensor
+    tumble_contact *sensed;     // likewise, tumble_world_sensor_events: a is the
+                                // sensor
     int   senses;
     bool (*meets)(void *context, const tumble_contact *c);
-    void *meets_context;    // of tumble_choose_contacts
+    void *meets_context;    // of tumble_world_choose_contacts
     status failure;         // the first one
 };
 

@@ -184,7 +184,7 @@ static bool first_met(const tumble_world *w, const question *q,
     for (int k = 0; k < all->planes; k++) {
         if (!world_has_plane(all, k)) continue;
         cast_result r = first_of(q, q->thing, &all->plane[k], scratch);
-        take(&best, &r, tumble_ground());
+        take(&best, &r, tumble_body_ground());
     }
     mesh_question m = { .w = w, .q = q, .best = &best };
     for (int k = w->first_mesh; k > 0; k = inside_next_mesh(w, k))
@@ -193,8 +193,8 @@ static bool first_met(const tumble_world *w, const question *q,
     return best.fraction <= 1;
 }
 
-bool tumble_ray(const tumble_world *w, tumble_vec3 from, tumble_vec3 to,
-                unsigned mask, tumble_hit *hit)
+bool tumble_world_ray(const tumble_world *w, tumble_vec3 from, tumble_vec3 to,
+                      unsigned mask, tumble_hit *hit)
 {
     vec3 tip = from_user(from);
     question q = { { { &tip, 1 }, 0 }, vec3_sub(from_user(to), tip),
@@ -212,7 +212,7 @@ static bool stand(const tumble_world *w, tumble_shape s, tumble_pose pose,
     if (!x || x->shape->kind != SHAPE_RIGID) return false;
     real m[9];
     vec3 *at = w->scratch + 3 * w->most_vertices;
-    tumble_matrix(pose.rotation, m);
+    tumble_quat_matrix(pose.rotation, m);
     for (int k = 0; k < x->shape->particles; k++) {
         vec3 r = x->shape->at[k];
         at[k] = (vec3){ m[0] * r.x + m[1] * r.y + m[2] * r.z,
@@ -225,16 +225,17 @@ static bool stand(const tumble_world *w, tumble_shape s, tumble_pose pose,
     return true;
 }
 
-bool tumble_sweep(const tumble_world *w, tumble_shape s, tumble_pose pose,
-                  tumble_vec3 way, unsigned mask, tumble_hit *hit)
+bool tumble_world_sweep(const tumble_world *w, tumble_shape s, tumble_pose pose,
+                        tumble_vec3 way, unsigned mask, tumble_hit *hit)
 {
     question q = { .way = from_user(way), .mask = mask };
     return stand(w, s, pose, &q) && first_met(w, &q, hit);
 }
 
-bool tumble_sweep_turning(const tumble_world *w, tumble_shape s,
-                          tumble_pose pose, tumble_vec3 way, tumble_vec3 turn,
-                          unsigned mask, tumble_hit *hit)
+bool tumble_world_sweep_turning(const tumble_world *w, tumble_shape s,
+                                tumble_pose pose, tumble_vec3 way,
+                                tumble_vec3 turn, unsigned mask,
+                                tumble_hit *hit)
 {
     question q = { .way = from_user(way), .mask = mask,
                    .turn = from_user(turn) };
@@ -274,8 +275,9 @@ static void ask_body(const tumble_world *w, int place, const question *q,
     }
 }
 
-int tumble_ray_all(const tumble_world *w, tumble_vec3 from, tumble_vec3 to,
-                   unsigned mask, tumble_hit *out, int most)
+int tumble_world_ray_all(const tumble_world *w, tumble_vec3 from,
+                         tumble_vec3 to, unsigned mask, tumble_hit *out,
+                         int most)
 {
     vec3 tip = from_user(from);
     question q = { { { &tip, 1 }, 0 }, vec3_sub(from_user(to), tip),
@@ -290,7 +292,7 @@ int tumble_ray_all(const tumble_world *w, tumble_vec3 from, tumble_vec3 to,
         } else if (world_has_plane(&w->world, k - bodies)) {
             cast_result r = cast_first_plane(q.thing, q.way,
                                              w->world.plane[k - bodies]);
-            take(&best, &r, tumble_ground());
+            take(&best, &r, tumble_body_ground());
         }
         if (best.fraction <= 1) put(out, most, n++, &best);
     }
@@ -367,8 +369,8 @@ static bool ask_soft(const tumble_world *w, const question *q, real most,
     return best.fraction < HUGE_VAL;
 }
 
-bool tumble_ray_soft(const tumble_world *w, tumble_vec3 from, tumble_vec3 to,
-                     unsigned mask, tumble_hit *hit)
+bool tumble_world_ray_soft(const tumble_world *w, tumble_vec3 from,
+                           tumble_vec3 to, unsigned mask, tumble_hit *hit)
 {
     vec3 tip = from_user(from);
     question q = { { { &tip, 1 }, 0 }, vec3_sub(from_user(to), tip),
@@ -377,8 +379,8 @@ bool tumble_ray_soft(const tumble_world *w, tumble_vec3 from, tumble_vec3 to,
     return ask_soft(w, &q, 1, ask_way, hit);
 }
 
-bool tumble_nearest_soft(const tumble_world *w, tumble_vec3 x, double most,
-                         unsigned mask, tumble_hit *hit)
+bool tumble_world_nearest_soft(const tumble_world *w, tumble_vec3 x,
+                               double most, unsigned mask, tumble_hit *hit)
 {
     question q = { .around = { from_user(x), most }, .mask = mask };
     return ask_soft(w, &q, most, ask_near, hit);
@@ -388,8 +390,8 @@ bool tumble_nearest_soft(const tumble_world *w, tumble_vec3 x, double most,
 //> face-ask-near
 //>   What is nearest to a point, and what overlaps a shape? These two need one
 //>   distance a body.
-bool tumble_nearest(const tumble_world *w, tumble_vec3 x, double most,
-                    unsigned mask, tumble_hit *hit)
+bool tumble_world_nearest(const tumble_world *w, tumble_vec3 x, double most,
+                          unsigned mask, tumble_hit *hit)
 {
     vec3 at = from_user(x);
     question q = { .around = { at, most }, .mask = mask };
@@ -403,7 +405,7 @@ bool tumble_nearest(const tumble_world *w, tumble_vec3 x, double most,
     for (int k = 0; k < w->world.planes; k++) {
         if (!world_has_plane(&w->world, k)) continue;
         cast_result r = cast_nearest_plane(at, w->world.plane[k], most);
-        take(&best, &r, tumble_ground());
+        take(&best, &r, tumble_body_ground());
     }
     mesh_question m = { .w = w, .q = &q, .best = &best, .most = most };
     for (int k = w->first_mesh; k > 0; k = inside_next_mesh(w, k))
@@ -426,8 +428,9 @@ static bool overlaps(const tumble_world *w, int place, const question *q)
     return false;
 }
 
-int tumble_overlap(const tumble_world *w, tumble_shape s, tumble_pose pose,
-                   unsigned mask, tumble_body *out, int most)
+int tumble_world_overlap(const tumble_world *w, tumble_shape s,
+                         tumble_pose pose, unsigned mask, tumble_body *out,
+                         int most)
 {
     question q = { .mask = mask };
     int n = 0;
@@ -484,8 +487,8 @@ static bool some_piece_senses(const tumble_world *w, const body_place *sensor,
     return false;
 }
 
-int tumble_sensed(const tumble_world *w, tumble_body sensor, tumble_body *out,
-                  int most)
+int tumble_body_sensed(const tumble_world *w, tumble_body sensor,
+                       tumble_body *out, int most)
 {
     const body_place *s = inside_look(w, sensor);
     int n = 0;

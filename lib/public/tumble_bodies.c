@@ -9,7 +9,7 @@
 #include <limits.h>
 #include <stdlib.h>
 
-tumble_body_options tumble_at(double x, double y, double z)
+tumble_body_options tumble_body_at(double x, double y, double z)
 {
     return (tumble_body_options){
         .kind = TUMBLE_DYNAMIC, .pose = { { x, y, z }, { 0, 0, 0, 1 } },
@@ -20,7 +20,7 @@ tumble_body_options tumble_at(double x, double y, double z)
 void inside_place(placement *p, tumble_pose pose)
 {
     real m[9];
-    tumble_matrix(pose.rotation, m);
+    tumble_quat_matrix(pose.rotation, m);
     p->position = from_user(pose.position);
     p->x = (vec3){ m[0], m[3], m[6] };
     p->y = (vec3){ m[1], m[4], m[7] };
@@ -137,14 +137,15 @@ static tumble_body add(tumble_world *w, const tumble_shape *s,
     return (tumble_body){ (unsigned)place, slots_generation(&w->bodies, place) };
 }
 
-tumble_body tumble_add(tumble_world *w, tumble_shape s, tumble_body_options o)
+tumble_body tumble_body_add(tumble_world *w, tumble_shape s,
+                            tumble_body_options o)
 {
     return add(w, &s, &o.pose, 1, &o);
 }
 
-tumble_body tumble_add_pieces(tumble_world *w, const tumble_shape *piece,
-                              const tumble_pose *pose, int n,
-                              tumble_body_options o)
+tumble_body tumble_body_add_pieces(tumble_world *w, const tumble_shape *piece,
+                                   const tumble_pose *pose, int n,
+                                   tumble_body_options o)
 {
     o.kind = TUMBLE_STATIC;
     if (n > 0 && piece && pose) return add(w, piece, pose, n, &o);
@@ -192,9 +193,9 @@ static bool add_own_piece(tumble_world *w, int place, tumble_shape s,
     return false;
 }
 
-tumble_body tumble_add_compound(tumble_world *w, const tumble_shape *piece,
-                                const tumble_pose *pose, int n,
-                                tumble_body_options o)
+tumble_body tumble_body_add_compound(tumble_world *w, const tumble_shape *piece,
+                                     const tumble_pose *pose, int n,
+                                     tumble_body_options o)
 {
     const tumble_body none = { 0, 0 };
     struct weight whole;
@@ -216,19 +217,19 @@ tumble_body tumble_add_compound(tumble_world *w, const tumble_shape *piece,
     return (tumble_body){ (unsigned)place, slots_generation(&w->bodies, place) };
 }
 
-bool tumble_remove(tumble_world *w, tumble_body b)
+bool tumble_body_remove(tumble_world *w, tumble_body b)
 {
     if (!inside_body(w, b)) return false;
     take_away(w, (int)b.place);
     return true;
 }
 
-bool tumble_has(const tumble_world *w, tumble_body b)
+bool tumble_body_exists(const tumble_world *w, tumble_body b)
 {
     return inside_look(w, b) != NULL;
 }
 
-int tumble_bodies(const tumble_world *w, tumble_body *out, int most)
+int tumble_world_bodies(const tumble_world *w, tumble_body *out, int most)
 {
     int n = 0;
     for (int k = 0; w && k < w->bodies.count; k++) {

@@ -42,7 +42,7 @@ static tumble_contact told(const tumble_world *w, const contact *c)
     return t;
 }
 
-int tumble_contacts(const tumble_world *w, tumble_contact *out, int most)
+int tumble_world_contacts(const tumble_world *w, tumble_contact *out, int most)
 {
     if (!w) return 0;
     const contact_cache *cache = &w->world.rigid.cache;
@@ -79,11 +79,11 @@ static int by_bodies(const void *p, const void *q)
 // The pairs that touch now, each once, sorted; n of them.
 static tumble_contact *touching_now(const tumble_world *w, int *n)
 {
-    int all = tumble_contacts(w, NULL, 0);
+    int all = tumble_world_contacts(w, NULL, 0);
     tumble_contact *list = malloc(((size_t)all + 1) * sizeof *list);
     *n = 0;
     if (!list) return NULL;
-    tumble_contacts(w, list, all);
+    tumble_world_contacts(w, list, all);
     if (all > 0) qsort(list, (size_t)all, sizeof *list, by_bodies);
     for (int k = 0; k < all; k++)
         if (*n == 0 || by_bodies(&list[*n - 1], &list[k]) != 0)
@@ -134,7 +134,7 @@ static int differences(pairs_told was, pairs_told now, tumble_event *out,
     return n;
 }
 
-int tumble_events(tumble_world *w, tumble_event *out, int most)
+int tumble_world_events(tumble_world *w, tumble_event *out, int most)
 {
     int now;
     if (!inside_is_world(w)) return 0;
@@ -153,13 +153,13 @@ int tumble_events(tumble_world *w, tumble_event *out, int most)
 //>   The same for sensors and what is in them.
 static bool add_sensed(tumble_world *w, tumble_body sensor, pairs_told *all)
 {
-    int n = tumble_sensed(w, sensor, NULL, 0), count = all->count;
+    int n = tumble_body_sensed(w, sensor, NULL, 0), count = all->count;
     if (n == 0) return true;
     tumble_contact *more = realloc(all->at, (size_t)(count + n) * sizeof *more);
     tumble_body *in = malloc((size_t)n * sizeof *in);
     if (more) all->at = more;
     if (more && in) {
-        tumble_sensed(w, sensor, in, n);
+        tumble_body_sensed(w, sensor, in, n);
         for (int k = 0; k < n; k++)
             more[count + k] = (tumble_contact){ .a = sensor, .b = in[k] };
         all->count += n;
@@ -168,7 +168,7 @@ static bool add_sensed(tumble_world *w, tumble_body sensor, pairs_told *all)
     return more && in;
 }
 
-int tumble_sensor_events(tumble_world *w, tumble_event *out, int most)
+int tumble_world_sensor_events(tumble_world *w, tumble_event *out, int most)
 {
     pairs_told now = { NULL, 0 };
     bool is_done = inside_is_world(w);

@@ -22,8 +22,8 @@ static int mesh_vertices(const surface *s, tumble_vec3 *out, int most)
     return s->points;
 }
 
-int tumble_vertices(const tumble_world *w, tumble_body b, tumble_vec3 *out,
-                    int most)
+int tumble_body_vertices(const tumble_world *w, tumble_body b, tumble_vec3 *out,
+                         int most)
 {
     const body_place *x = inside_look(w, b);
     int n = 0;
@@ -36,7 +36,8 @@ int tumble_vertices(const tumble_world *w, tumble_body b, tumble_vec3 *out,
     return n;
 }
 
-const int *tumble_triangles(const tumble_world *w, tumble_body b, int *count)
+const int *tumble_body_triangles(const tumble_world *w, tumble_body b,
+                                 int *count)
 {
     const body_place *x = inside_look(w, b);
     if (count) *count = 0;
@@ -111,17 +112,17 @@ static void draw_joint(const tumble_world *w, const joint *j,
 
 static void draw_contacts(const tumble_world *w, const tumble_pen *pen)
 {
-    int n = tumble_contacts(w, NULL, 0);
+    int n = tumble_world_contacts(w, NULL, 0);
     tumble_contact *c = malloc(((size_t)n + 1) * sizeof *c);
     if (!c) return;
-    tumble_contacts(w, c, n);
+    tumble_world_contacts(w, c, n);
     for (int k = 0; k < n; k++)
         for (int i = 0; i < c[k].points; i++)
             pen->point(pen->context, c[k].a, c[k].point[i]);
     free(c);
 }
 
-void tumble_draw(const tumble_world *w, const tumble_pen *pen)
+void tumble_world_draw(const tumble_world *w, const tumble_pen *pen)
 {
     if (!w || !pen) return;
     for (int k = 0; k < w->bodies.count; k++) {

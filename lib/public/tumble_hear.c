@@ -5,7 +5,7 @@
 
 #include <stdlib.h>
 
-bool tumble_listen(tumble_world *w, bool on)
+bool tumble_world_listen(tumble_world *w, bool on)
 {
     if (!inside_is_world(w)) return false;
     w->world.rigid.listens = on;
@@ -59,7 +59,7 @@ static tumble_impulse added_up(const tumble_impulse *x, int n)
     return all;
 }
 
-int tumble_impulses(const tumble_world *w, tumble_impulse *out, int most)
+int tumble_world_impulses(const tumble_world *w, tumble_impulse *out, int most)
 {
     int n = 0, count = w ? w->world.rigid.hears : 0;
     if (count == 0) return 0;
@@ -81,8 +81,8 @@ int tumble_impulses(const tumble_world *w, tumble_impulse *out, int most)
 //<
 
 //> face-choose
-//>   A program that chooses sees a contact as tumble_contacts tells of it, before it
-//>   has pushed.
+//>   A program that chooses sees a contact as tumble_world_contacts tells of
+//>   it, before it has pushed.
 static bool ask_program(void *chooser, const contact *c)
 {
     const tumble_world *w = chooser;
@@ -98,10 +98,10 @@ static bool ask_program(void *chooser, const contact *c)
     return w->meets(w->meets_context, &t);
 }
 
-bool tumble_choose_contacts(tumble_world *w,
-                            bool (*meets)(void *context,
-                                          const tumble_contact *c),
-                            void *context)
+bool tumble_world_choose_contacts(tumble_world *w,
+                                  bool (*meets)(void *context,
+                                                const tumble_contact *c),
+                                  void *context)
 {
     if (!inside_is_world(w)) return false;
     world_host *host = &w->world.options.host;

@@ -12,7 +12,7 @@
 static bool find_side(tumble_world *w, tumble_body b, int *number)
 {
     *number = -1;
-    if (b.place == tumble_ground().place) return true;
+    if (b.place == tumble_body_ground().place) return true;
     const body_place *x = inside_body(w, b);
     if (!x) return false;
     *number = x->piece[0].number;
@@ -46,39 +46,39 @@ static tumble_joint join(tumble_world *w, tumble_body a, tumble_body b,
     return none;
 }
 
-tumble_joint tumble_ball(tumble_world *w, tumble_body a, tumble_body b,
-                         tumble_vec3 at)
+tumble_joint tumble_joint_ball(tumble_world *w, tumble_body a, tumble_body b,
+                               tumble_vec3 at)
 {
     return join(w, a, b, (joint_plan){ .kind = JOINT_BALL,
                                        .point = from_user(at) });
 }
 
-tumble_joint tumble_hinge(tumble_world *w, tumble_body a, tumble_body b,
-                          tumble_vec3 at, tumble_vec3 axis)
+tumble_joint tumble_joint_hinge(tumble_world *w, tumble_body a, tumble_body b,
+                                tumble_vec3 at, tumble_vec3 axis)
 {
     return join(w, a, b, (joint_plan){ .kind = JOINT_HINGE,
                                        .point = from_user(at),
                                        .axis = from_user(axis) });
 }
 
-tumble_joint tumble_fix(tumble_world *w, tumble_body a, tumble_body b,
-                        tumble_vec3 at)
+tumble_joint tumble_joint_fixed(tumble_world *w, tumble_body a, tumble_body b,
+                                tumble_vec3 at)
 {
     return join(w, a, b, (joint_plan){ .kind = JOINT_FIXED,
                                        .point = from_user(at) });
 }
 
-tumble_joint tumble_slider(tumble_world *w, tumble_body a, tumble_body b,
-                           tumble_vec3 at, tumble_vec3 axis)
+tumble_joint tumble_joint_slider(tumble_world *w, tumble_body a, tumble_body b,
+                                 tumble_vec3 at, tumble_vec3 axis)
 {
     return join(w, a, b, (joint_plan){ .kind = JOINT_SLIDER,
                                        .point = from_user(at),
                                        .axis = from_user(axis) });
 }
 
-tumble_joint tumble_distance(tumble_world *w, tumble_body a, tumble_vec3 at_a,
-                             tumble_body b, tumble_vec3 at_b, double least,
-                             double most)
+tumble_joint tumble_joint_distance(tumble_world *w, tumble_body a,
+                                   tumble_vec3 at_a, tumble_body b,
+                                   tumble_vec3 at_b, double least, double most)
 {
     return join(w, a, b, (joint_plan){ .kind = JOINT_DISTANCE,
                                        .point = from_user(at_a),
@@ -86,8 +86,8 @@ tumble_joint tumble_distance(tumble_world *w, tumble_body a, tumble_vec3 at_a,
                                        .least = least, .most = most });
 }
 
-tumble_joint tumble_hang(tumble_world *w, tumble_body soft, int i,
-                         tumble_body b)
+tumble_joint tumble_joint_hang(tumble_world *w, tumble_body soft, int i,
+                               tumble_body b)
 {
     const tumble_joint none = { 0, 0 };
     joint_plan plan = { .kind = JOINT_PIN, .particle = i };
@@ -100,7 +100,7 @@ tumble_joint tumble_hang(tumble_world *w, tumble_body soft, int i,
 //> face-joint
 //>   A joint that has broken or gone is refused as a body is. When a body goes,
 //>   its joints go first.
-bool tumble_unjoin(tumble_world *w, tumble_joint j)
+bool tumble_joint_remove(tumble_world *w, tumble_joint j)
 {
     const joint_place *x = inside_joint(w, j);
     if (!x) return false;
@@ -120,8 +120,8 @@ void inside_forget_joints(tumble_world *w)
     }
 }
 
-bool tumble_set_limits(tumble_world *w, tumble_joint j, double least,
-                       double most)
+bool tumble_joint_set_limits(tumble_world *w, tumble_joint j, double least,
+                             double most)
 {
     const joint_place *x = inside_joint(w, j);
     if (!x) return false;
@@ -132,8 +132,8 @@ bool tumble_set_limits(tumble_world *w, tumble_joint j, double least,
                                              most));
 }
 
-bool tumble_set_cone(tumble_world *w, tumble_joint j, tumble_vec3 axis,
-                     double swing, double least, double most)
+bool tumble_joint_set_cone(tumble_world *w, tumble_joint j, tumble_vec3 axis,
+                           double swing, double least, double most)
 {
     const joint_place *x = inside_joint(w, j);
     if (!x) return false;
@@ -144,16 +144,16 @@ bool tumble_set_cone(tumble_world *w, tumble_joint j, tumble_vec3 axis,
                                             from_user(axis), swing, least, most));
 }
 
-bool tumble_set_motor(tumble_world *w, tumble_joint j, double speed,
-                      double force)
+bool tumble_joint_set_motor(tumble_world *w, tumble_joint j, double speed,
+                            double force)
 {
     const joint_place *x = inside_joint(w, j);
     return x && inside_is_ok(w, world_set_motor(&w->world, x->number, speed,
                                                 force));
 }
 
-bool tumble_set_spring(tumble_world *w, tumble_joint j, double rest,
-                       double stiffness, double damping)
+bool tumble_joint_set_spring(tumble_world *w, tumble_joint j, double rest,
+                             double stiffness, double damping)
 {
     const joint_place *x = inside_joint(w, j);
     return x && inside_is_ok(w, world_set_spring(&w->world, x->number, rest,
@@ -162,8 +162,8 @@ bool tumble_set_spring(tumble_world *w, tumble_joint j, double rest,
 
 // Stiffness and damping of a spring that swings the two bodies of a joint so often
 // in a second.
-bool tumble_set_servo(tumble_world *w, tumble_joint j, double place,
-                      double hertz, double ratio, double force)
+bool tumble_joint_set_servo(tumble_world *w, tumble_joint j, double place,
+                            double hertz, double ratio, double force)
 {
     const joint_place *x = inside_joint(w, j);
     if (!x) return false;
@@ -180,7 +180,7 @@ bool tumble_set_servo(tumble_world *w, tumble_joint j, double place,
                                             stiffness, damping, force));
 }
 
-bool tumble_set_touching(tumble_world *w, tumble_joint j, bool may_touch)
+bool tumble_joint_set_touching(tumble_world *w, tumble_joint j, bool may_touch)
 {
     const joint_place *x = inside_joint(w, j);
     if (!x) return false;
@@ -191,7 +191,7 @@ bool tumble_set_touching(tumble_world *w, tumble_joint j, bool may_touch)
     return true;
 }
 
-bool tumble_set_strength(tumble_world *w, tumble_joint j, double force)
+bool tumble_joint_set_strength(tumble_world *w, tumble_joint j, double force)
 {
     const joint_place *x = inside_joint(w, j);
     if (!x) return false;
@@ -214,12 +214,12 @@ static const joint_place *look(const tumble_world *w, tumble_joint j)
     return w ? slots_find(&w->joints, j.place, j.generation) : NULL;
 }
 
-bool tumble_is_joined(const tumble_world *w, tumble_joint j)
+bool tumble_joint_exists(const tumble_world *w, tumble_joint j)
 {
     return look(w, j) != NULL;
 }
 
-int tumble_joints(const tumble_world *w, tumble_joint *out, int most)
+int tumble_world_joints(const tumble_world *w, tumble_joint *out, int most)
 {
     int n = 0;
     for (int k = 0; w && k < w->joints.count; k++) {
@@ -282,13 +282,13 @@ double tumble_joint_drive(const tumble_world *w, tumble_joint j)
     return x ? world_joint_drive(&w->world, x->number) : 0;
 }
 
-bool tumble_may_touch(const tumble_world *w, tumble_joint j)
+bool tumble_joint_may_touch(const tumble_world *w, tumble_joint j)
 {
     const joint_place *x = look(w, j);
     return x && w->world.joints.joint[x->number].may_touch;
 }
 
-double tumble_hinge_angle(const tumble_world *w, tumble_joint j)
+double tumble_joint_angle(const tumble_world *w, tumble_joint j)
 {
     return tumble_joint_place(w, j);
 }

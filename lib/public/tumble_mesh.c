@@ -367,7 +367,7 @@ static tumble_body add(tumble_world *w, body_mesh *m, tumble_body_options o)
     tumble_shape s = inside_keep(w, &made, done);
     o.kind = TUMBLE_STATIC;
     o.pose = (tumble_pose){ to_user(center), { 0, 0, 0, 1 } };
-    tumble_body b = tumble_add(w, s, o);
+    tumble_body b = tumble_body_add(w, s, o);
     const shape_place *of = slots_find(&w->shapes, s.place, s.generation);
     body_place *x = slots_find(&w->bodies, b.place, b.generation);
     if (!x) {
@@ -441,9 +441,9 @@ static real mean_side(const vec3 *point, int points, const int *v, int n)
     return sum;
 }
 
-tumble_body tumble_add_mesh(tumble_world *w, const tumble_vec3 *point,
-                            int points, const int *triangle, int triangles,
-                            double thickness, tumble_body_options o)
+tumble_body tumble_body_add_mesh(tumble_world *w, const tumble_vec3 *point,
+                                 int points, const int *triangle, int triangles,
+                                 double thickness, tumble_body_options o)
 {
     const vec3 down = { 0, 0, 0 };
     tumble_body b = { 0, 0 };
@@ -497,10 +497,10 @@ static bool is_grid(tumble_world *w, const double *height, int columns,
                        "finite, and more than 0", width, depth);
 }
 
-tumble_body tumble_add_heights(tumble_world *w, const double *height,
-                               int columns, int rows, double width,
-                               double depth, double thickness,
-                               tumble_body_options o)
+tumble_body tumble_body_add_heights(tumble_world *w, const double *height,
+                                    int columns, int rows, double width,
+                                    double depth, double thickness,
+                                    tumble_body_options o)
 {
     tumble_body b = { 0, 0 };
     if (!inside_is_world(w) || !is_thickness(w, thickness)

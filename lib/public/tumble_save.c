@@ -100,7 +100,7 @@ static void all_store(tumble_world *w, store *s)
     store_leave(s);
 }
 
-size_t tumble_save(const tumble_world *w, void *into, size_t room)
+size_t tumble_world_save(const tumble_world *w, void *into, size_t room)
 {
     if (!w) return 0;
     tumble_world all = *w;
@@ -118,15 +118,15 @@ static tumble_world *read_world(const void *from, size_t size, status *done)
     *done = s.done;
     if (s.done.ok && w->first_mesh > 0) inside_watch_meshes(w);
     if (s.done.ok) return w;
-    tumble_free(w);
+    tumble_world_free(w);
     return NULL;
 }
 
-tumble_world *tumble_load(const void *from, size_t size)
+tumble_world *tumble_world_load(const void *from, size_t size)
 {
     status done;
     tumble_world *w = read_world(from, size, &done);
-    tumble_forget_failure(NULL);
+    tumble_world_forget_failure(NULL);
     inside_not_made(done);
     return w;
 }
@@ -135,7 +135,7 @@ tumble_world *tumble_load(const void *from, size_t size)
 //> face-restore
 //>   To take a move back, or to begin an episode again, a program wants the saved state
 //>   where its world is. The two change places, and the old one goes.
-bool tumble_restore(tumble_world *w, const void *from, size_t size)
+bool tumble_world_restore(tumble_world *w, const void *from, size_t size)
 {
     status done;
     if (!inside_is_world(w)) return false;
@@ -150,7 +150,7 @@ bool tumble_restore(tumble_world *w, const void *from, size_t size)
     saved->meets_context = old.meets_context;
     *w = *saved;
     *saved = old;
-    tumble_free(saved);
+    tumble_world_free(saved);
     if (w->first_mesh > 0) inside_watch_meshes(w);
     return true;
 }

@@ -33,37 +33,38 @@ tumble_shape inside_keep(tumble_world *w, shape *made, status done)
     return (tumble_shape){ (unsigned)k, slots_generation(&w->shapes, k) };
 }
 
-tumble_shape tumble_box(tumble_world *w, tumble_vec3 sides, double mass)
+tumble_shape tumble_shape_box(tumble_world *w, tumble_vec3 sides, double mass)
 {
     shape s;
     status done = shape_box(&s, from_user(sides), mass);
     return inside_keep(w, &s, done);
 }
 
-tumble_shape tumble_icosahedron(tumble_world *w, double radius, double mass)
+tumble_shape tumble_shape_icosahedron(tumble_world *w, double radius,
+                                      double mass)
 {
     shape s;
     status done = shape_icosahedron(&s, radius, mass);
     return inside_keep(w, &s, done);
 }
 
-tumble_shape tumble_sphere(tumble_world *w, double radius, double mass)
+tumble_shape tumble_shape_sphere(tumble_world *w, double radius, double mass)
 {
     shape s;
     status done = shape_sphere(&s, radius, mass);
     return inside_keep(w, &s, done);
 }
 
-tumble_shape tumble_capsule(tumble_world *w, double length, double radius,
-                            double mass)
+tumble_shape tumble_shape_capsule(tumble_world *w, double length, double radius,
+                                  double mass)
 {
     shape s;
     status done = shape_capsule(&s, length, radius, mass);
     return inside_keep(w, &s, done);
 }
 
-tumble_shape tumble_hull(tumble_world *w, const tumble_vec3 *point, int n,
-                         double mass)
+tumble_shape tumble_shape_hull(tumble_world *w, const tumble_vec3 *point, int n,
+                               double mass)
 {
     shape s;
     if (!point) n = 0;
@@ -74,8 +75,8 @@ tumble_shape tumble_hull(tumble_world *w, const tumble_vec3 *point, int n,
     return inside_keep(w, &s, done);
 }
 
-tumble_shape tumble_obj(tumble_world *w, const char *path, double radius,
-                        double mass)
+tumble_shape tumble_shape_obj(tumble_world *w, const char *path, double radius,
+                              double mass)
 {
     shape s;
     status done = path ? obj_read(path, radius, mass, &s)
@@ -83,7 +84,8 @@ tumble_shape tumble_obj(tumble_world *w, const char *path, double radius,
     return inside_keep(w, &s, done);
 }
 
-tumble_shape tumble_rope(tumble_world *w, int n, double length, double mass)
+tumble_shape tumble_shape_rope(tumble_world *w, int n, double length,
+                               double mass)
 {
     shape s;
     status done = shape_rope(&s, n, length, mass);
@@ -93,16 +95,16 @@ tumble_shape tumble_rope(tumble_world *w, int n, double length, double mass)
 // A cloth's diagonals are so much softer than its threads.
 static const real DIAGONAL = 0.2;           // tuned, 1
 
-tumble_shape tumble_cloth(tumble_world *w, int columns, int rows, double width,
-                          double depth, double mass)
+tumble_shape tumble_shape_cloth(tumble_world *w, int columns, int rows,
+                                double width, double depth, double mass)
 {
     shape s;
     status done = shape_cloth(&s, columns, rows, width, depth, mass, DIAGONAL);
     return inside_keep(w, &s, done);
 }
 
-tumble_shape tumble_weigh(tumble_world *w, tumble_shape s, double mass,
-                          tumble_vec3 center, const double inertia[6])
+tumble_shape tumble_shape_weighed(tumble_world *w, tumble_shape s, double mass,
+                                  tumble_vec3 center, const double inertia[6])
 {
     const shape_place *of = inside_shape(w, s);
     shape made;
@@ -113,7 +115,8 @@ tumble_shape tumble_weigh(tumble_world *w, tumble_shape s, double mass,
     return inside_keep(w, &made, done);
 }
 
-tumble_shape tumble_round(tumble_world *w, tumble_shape s, double radius)
+tumble_shape tumble_shape_rounded(tumble_world *w, tumble_shape s,
+                                  double radius)
 {
     const shape_place *of = inside_shape(w, s);
     shape made;
@@ -122,7 +125,7 @@ tumble_shape tumble_round(tumble_world *w, tumble_shape s, double radius)
     return inside_keep(w, &made, done);
 }
 
-bool tumble_drop_shape(tumble_world *w, tumble_shape s)
+bool tumble_shape_remove(tumble_world *w, tumble_shape s)
 {
     shape_place *gone = inside_shape(w, s);
     if (!gone) return false;

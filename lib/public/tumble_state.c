@@ -16,42 +16,42 @@ static placement where_is(const tumble_world *w, tumble_body b)
     return p;
 }
 
-tumble_pose tumble_get_pose(const tumble_world *w, tumble_body b)
+tumble_pose tumble_body_pose(const tumble_world *w, tumble_body b)
 {
     placement p = where_is(w, b);
     if (!inside_look(w, b)) return (tumble_pose){ { 0, 0, 0 }, { 0, 0, 0, 0 } };
     return (tumble_pose){ to_user(p.position), inside_quat(p.x, p.y, p.z) };
 }
 
-tumble_vec3 tumble_position(const tumble_world *w, tumble_body b)
+tumble_vec3 tumble_body_position(const tumble_world *w, tumble_body b)
 {
     return to_user(where_is(w, b).position);
 }
 
-tumble_vec3 tumble_velocity(const tumble_world *w, tumble_body b)
+tumble_vec3 tumble_body_velocity(const tumble_world *w, tumble_body b)
 {
     return to_user(where_is(w, b).velocity);
 }
 
-tumble_vec3 tumble_spin(const tumble_world *w, tumble_body b)
+tumble_vec3 tumble_body_spin(const tumble_world *w, tumble_body b)
 {
     return to_user(where_is(w, b).spin);
 }
 
-double tumble_mass(const tumble_world *w, tumble_body b)
+double tumble_body_mass(const tumble_world *w, tumble_body b)
 {
     const body_place *x = inside_look(w, b);
     if (!x || x->kind != TUMBLE_DYNAMIC) return 0;
     return w->world.body[x->piece[0].number].mass;
 }
 
-void *tumble_user(const tumble_world *w, tumble_body b)
+void *tumble_body_user(const tumble_world *w, tumble_body b)
 {
     const body_place *x = inside_look(w, b);
     return x ? x->user : NULL;
 }
 
-bool tumble_set_user(tumble_world *w, tumble_body b, void *user)
+bool tumble_body_set_user(tumble_world *w, tumble_body b, void *user)
 {
     body_place *x = inside_body(w, b);
     if (x) x->user = user;
@@ -62,7 +62,8 @@ bool tumble_set_user(tumble_world *w, tumble_body b, void *user)
 //> face-options
 //>   What was set can be asked for: the options with which another such body would
 //>   be added.
-tumble_body_options tumble_get_options(const tumble_world *w, tumble_body b)
+tumble_body_options tumble_body_get_options(const tumble_world *w,
+                                            tumble_body b)
 {
     const body_place *x = inside_look(w, b);
     if (!x) return (tumble_body_options){ .group = 0 };
@@ -71,7 +72,7 @@ tumble_body_options tumble_get_options(const tumble_world *w, tumble_body b)
     material m = w->world.rigid.material[number];
     placement p = where_is(w, b);
     return (tumble_body_options){
-        .kind = x->kind, .pose = tumble_get_pose(w, b),
+        .kind = x->kind, .pose = tumble_body_pose(w, b),
         .velocity = to_user(p.velocity), .spin = to_user(p.spin),
         .friction = m.friction, .restitution = m.restitution,
         .damping = all->damping, .spin_damping = all->spin_damping,
@@ -79,7 +80,7 @@ tumble_body_options tumble_get_options(const tumble_world *w, tumble_body b)
         .mask = x->is_sensor ? x->mask : all->mask, .user = x->user };
 }
 
-tumble_shape tumble_shape_of(const tumble_world *w, tumble_body b)
+tumble_shape tumble_body_shape(const tumble_world *w, tumble_body b)
 {
     const body_place *x = inside_look(w, b);
     if (!x || x->mesh) return (tumble_shape){ 0, 0 };
@@ -91,14 +92,14 @@ tumble_shape tumble_shape_of(const tumble_world *w, tumble_body b)
 //> face-bulk
 //>   A game draws all of them in every frame, so it may ask for all at once, or
 //>   only for those that moved. The engine has a list of those that are awake.
-void tumble_get_poses(const tumble_world *w, const tumble_body *b, int n,
-                      tumble_pose *out)
+void tumble_body_poses(const tumble_world *w, const tumble_body *b, int n,
+                       tumble_pose *out)
 {
-    for (int k = 0; k < n; k++) out[k] = tumble_get_pose(w, b[k]);
+    for (int k = 0; k < n; k++) out[k] = tumble_body_pose(w, b[k]);
 }
 
-void tumble_get_velocities(const tumble_world *w, const tumble_body *b, int n,
-                           tumble_vec3 *velocity, tumble_vec3 *spin)
+void tumble_body_velocities(const tumble_world *w, const tumble_body *b, int n,
+                            tumble_vec3 *velocity, tumble_vec3 *spin)
 {
     for (int k = 0; k < n; k++) {
         placement p = where_is(w, b[k]);
@@ -115,7 +116,7 @@ static bool is_first(const tumble_world *w, int b)
     return x->piece[0].number == b;
 }
 
-int tumble_moved(const tumble_world *w, tumble_body *out, int most)
+int tumble_world_moved(const tumble_world *w, tumble_body *out, int most)
 {
     int n = 0;
     if (!w || w->world.report.substeps == 0) return 0;
@@ -165,7 +166,7 @@ static int find_dynamic(tumble_world *w, tumble_body b, tumble_vec3 p,
     return -1;
 }
 
-bool tumble_set_pose(tumble_world *w, tumble_body b, tumble_pose pose)
+bool tumble_body_set_pose(tumble_world *w, tumble_body b, tumble_pose pose)
 {
     int number = inside_rigid(w, b, pose.position, pose.position);
     if (number < 0) return false;
@@ -176,8 +177,8 @@ bool tumble_set_pose(tumble_world *w, tumble_body b, tumble_pose pose)
     return x->lock == 0 || inside_lock(w, x, inside_locked(w, x));
 }
 
-bool tumble_set_velocity(tumble_world *w, tumble_body b, tumble_vec3 velocity,
-                         tumble_vec3 spin)
+bool tumble_body_set_velocity(tumble_world *w, tumble_body b,
+                              tumble_vec3 velocity, tumble_vec3 spin)
 {
     int number = inside_rigid(w, b, velocity, spin);
     if (number < 0 || !inside_is_speed(w, velocity)
@@ -195,8 +196,8 @@ static bool is_bearable(tumble_world *w, int number, tumble_vec3 impulse)
     return inside_is_speed(w, to_user(v));
 }
 
-bool tumble_push(tumble_world *w, tumble_body b, tumble_vec3 impulse,
-                 tumble_vec3 at)
+bool tumble_body_push(tumble_world *w, tumble_body b, tumble_vec3 impulse,
+                      tumble_vec3 at)
 {
     int number = find_dynamic(w, b, impulse, at);
     if (number < 0 || !is_bearable(w, number, impulse)) return false;
@@ -204,8 +205,8 @@ bool tumble_push(tumble_world *w, tumble_body b, tumble_vec3 impulse,
     return true;
 }
 
-bool tumble_force(tumble_world *w, tumble_body b, tumble_vec3 force,
-                  tumble_vec3 torque)
+bool tumble_body_force(tumble_world *w, tumble_body b, tumble_vec3 force,
+                       tumble_vec3 torque)
 {
     int number = find_dynamic(w, b, force, torque);
     if (number < 0 || !is_bearable(w, number, force)) return false;
@@ -216,8 +217,8 @@ bool tumble_force(tumble_world *w, tumble_body b, tumble_vec3 force,
 
 //> face-force-at
 //>   A force at a point is that force at the centre, and a torque.
-bool tumble_force_at(tumble_world *w, tumble_body b, tumble_vec3 force,
-                     tumble_vec3 at)
+bool tumble_body_force_at(tumble_world *w, tumble_body b, tumble_vec3 force,
+                          tumble_vec3 at)
 {
     int number = find_dynamic(w, b, force, at);
     if (number < 0 || !is_bearable(w, number, force)) return false;
@@ -230,21 +231,21 @@ bool tumble_force_at(tumble_world *w, tumble_body b, tumble_vec3 force,
 
 //> face-sleep
 //>   A program may wake a body, or send it to sleep.
-bool tumble_wake(tumble_world *w, tumble_body b)
+bool tumble_body_wake(tumble_world *w, tumble_body b)
 {
     const body_place *x = inside_body(w, b);
     if (x) world_wake(&w->world, x->piece[0].number);
     return x != NULL;
 }
 
-bool tumble_sleep(tumble_world *w, tumble_body b)
+bool tumble_body_sleep(tumble_world *w, tumble_body b)
 {
     const body_place *x = inside_body(w, b);
     if (x) world_sleep(&w->world, x->piece[0].number);
     return x != NULL;
 }
 
-bool tumble_is_awake(const tumble_world *w, tumble_body b)
+bool tumble_body_is_awake(const tumble_world *w, tumble_body b)
 {
     const body_place *x = inside_look(w, b);
     return x && x->kind != TUMBLE_STATIC
@@ -269,22 +270,22 @@ int inside_vertex(tumble_world *w, tumble_body b, int i)
     return -1;
 }
 
-bool tumble_pin(tumble_world *w, tumble_body b, int i)
+bool tumble_body_pin(tumble_world *w, tumble_body b, int i)
 {
     int number = inside_vertex(w, b, i);
     if (number >= 0) world_pin(&w->world, number, i);
     return number >= 0;
 }
 
-bool tumble_unpin(tumble_world *w, tumble_body b, int i)
+bool tumble_body_unpin(tumble_world *w, tumble_body b, int i)
 {
     int number = inside_vertex(w, b, i);
     if (number >= 0) world_unpin(&w->world, number, i);
     return number >= 0;
 }
 
-bool tumble_push_vertex(tumble_world *w, tumble_body b, int i,
-                        tumble_vec3 impulse)
+bool tumble_body_push_vertex(tumble_world *w, tumble_body b, int i,
+                             tumble_vec3 impulse)
 {
     int number = inside_vertex(w, b, i);
     if (number < 0) return false;
@@ -298,21 +299,21 @@ bool tumble_push_vertex(tumble_world *w, tumble_body b, int i,
     return true;
 }
 
-bool tumble_set_bending(tumble_world *w, tumble_body b, double stiffness)
+bool tumble_body_set_bending(tumble_world *w, tumble_body b, double stiffness)
 {
     int number = inside_vertex(w, b, 0);
     return number >= 0
         && inside_is_ok(w, world_bend(&w->world, number, stiffness));
 }
 
-bool tumble_set_stretch(tumble_world *w, tumble_body b, double compliance)
+bool tumble_body_set_stretch(tumble_world *w, tumble_body b, double compliance)
 {
     int number = inside_vertex(w, b, 0);
     return number >= 0
         && inside_is_ok(w, world_stretch(&w->world, number, compliance));
 }
 
-tumble_vec3 tumble_vertex(const tumble_world *w, tumble_body b, int i)
+tumble_vec3 tumble_body_vertex(const tumble_world *w, tumble_body b, int i)
 {
     const body_place *x = inside_look(w, b);
     const tumble_vec3 none = { 0, 0, 0 };
@@ -330,8 +331,8 @@ tumble_vec3 tumble_vertex(const tumble_world *w, tumble_body b, int i)
 //> face-material
 //>   Material, damping and filter are set body by body, and asked for again in
 //>   the next step.
-bool tumble_set_material(tumble_world *w, tumble_body b, double friction,
-                         double restitution)
+bool tumble_body_set_material(tumble_world *w, tumble_body b, double friction,
+                              double restitution)
 {
     const body_place *x = inside_body(w, b);
     material m = { friction, restitution };
@@ -341,16 +342,16 @@ bool tumble_set_material(tumble_world *w, tumble_body b, double friction,
     return x != NULL;
 }
 
-bool tumble_set_damping(tumble_world *w, tumble_body b, double damping,
-                        double spin_damping)
+bool tumble_body_set_damping(tumble_world *w, tumble_body b, double damping,
+                             double spin_damping)
 {
     const body_place *x = inside_body(w, b);
     return x && inside_is_ok(w, world_set_damping(&w->world, x->piece[0].number,
                                                   damping, spin_damping));
 }
 
-bool tumble_set_filter(tumble_world *w, tumble_body b, unsigned group,
-                       unsigned mask)
+bool tumble_body_set_filter(tumble_world *w, tumble_body b, unsigned group,
+                            unsigned mask)
 {
     body_place *x = inside_body(w, b);
     if (x && !inside_is_group(w, group)) return false;

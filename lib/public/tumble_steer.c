@@ -6,7 +6,7 @@
 
 static const tumble_vec3 NONE = { 0, 0, 0 };
 
-bool tumble_set_kind(tumble_world *w, tumble_body b, tumble_kind kind)
+bool tumble_body_set_kind(tumble_world *w, tumble_body b, tumble_kind kind)
 {
     int number = inside_rigid(w, b, NONE, NONE);
     if (number < 0) return false;
@@ -28,14 +28,14 @@ bool tumble_set_kind(tumble_world *w, tumble_body b, tumble_kind kind)
 
 //> face-gravity
 //>   Gravity is a number of the body; velocities go on from what they are.
-bool tumble_set_gravity_scale(tumble_world *w, tumble_body b, double scale)
+bool tumble_body_set_gravity_scale(tumble_world *w, tumble_body b, double scale)
 {
     int number = inside_rigid(w, b, NONE, NONE);
     return number >= 0
         && inside_is_ok(w, world_set_gravity_scale(&w->world, number, scale));
 }
 
-double tumble_gravity_scale(const tumble_world *w, tumble_body b)
+double tumble_body_gravity_scale(const tumble_world *w, tumble_body b)
 {
     const body_place *x = inside_look(w, b);
     return x ? w->world.body[x->piece[0].number].gravity : 0;
@@ -45,7 +45,7 @@ double tumble_gravity_scale(const tumble_world *w, tumble_body b)
 //> face-lock
 //>   Locked axes are a joint to the ground with a row for each of them, which no id
 //>   stands for.
-bool tumble_set_locked(tumble_world *w, tumble_body b, unsigned axes)
+bool tumble_body_set_locked(tumble_world *w, tumble_body b, unsigned axes)
 {
     int number = inside_rigid(w, b, NONE, NONE);
     if (number < 0) return false;
@@ -58,7 +58,7 @@ bool tumble_set_locked(tumble_world *w, tumble_body b, unsigned axes)
     return inside_lock(w, x, axes);
 }
 
-unsigned tumble_locked(const tumble_world *w, tumble_body b)
+unsigned tumble_body_locked(const tumble_world *w, tumble_body b)
 {
     const body_place *x = inside_look(w, b);
     return x ? inside_locked(w, x) : 0;
@@ -68,7 +68,7 @@ unsigned tumble_locked(const tumble_world *w, tumble_body b)
 //> face-sensor
 //>   A sensor is a body in no group. So no pair, no ray and no piece of cloth finds
 //>   it, and nothing in the engine needs to know of it.
-bool tumble_set_sensor(tumble_world *w, tumble_body b, bool is_sensor)
+bool tumble_body_set_sensor(tumble_world *w, tumble_body b, bool is_sensor)
 {
     body_place *x = inside_body(w, b);
     if (!x || x->is_sensor == is_sensor) return x != NULL;
@@ -87,7 +87,7 @@ bool tumble_set_sensor(tumble_world *w, tumble_body b, bool is_sensor)
     return true;
 }
 
-bool tumble_is_sensor(const tumble_world *w, tumble_body b)
+bool tumble_body_is_sensor(const tumble_world *w, tumble_body b)
 {
     const body_place *x = inside_look(w, b);
     return x && x->is_sensor;

@@ -25,7 +25,7 @@ static void twice(real *sine, real *cosine)
     *sine = 2 * s * c;
 }
 
-tumble_quat tumble_turn(tumble_vec3 axis, double by)
+tumble_quat tumble_quat_turn(tumble_vec3 axis, double by)
 {
     const real whole = 6.28318530717958647692;
     tumble_quat none = { 0, 0, 0, 1 };
@@ -45,7 +45,7 @@ tumble_quat tumble_turn(tumble_vec3 axis, double by)
 //> face-matrix
 //>   From the quaternion comes the matrix that graphics libraries load, and
 //>   from a matrix the engine's answer comes back.
-void tumble_matrix(tumble_quat q, double m[9])
+void tumble_quat_matrix(tumble_quat q, double m[9])
 {
     real square = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
     real s = square > 0 ? 2 / square : 0;   // all zero: no rotation
@@ -85,7 +85,7 @@ tumble_quat inside_quat(vec3 x, vec3 y, vec3 z)
                           own };
 }
 
-tumble_quat tumble_from_matrix(const double m[9])
+tumble_quat tumble_quat_from_matrix(const double m[9])
 {
     return inside_quat((vec3){ m[0], m[3], m[6] }, (vec3){ m[1], m[4], m[7] },
                        (vec3){ m[2], m[5], m[8] });
@@ -95,26 +95,26 @@ tumble_quat tumble_from_matrix(const double m[9])
 //> face-turn-helpers
 //>   A pose takes points from the frame of a body to that of the world, and back.
 //>   A program asks for that again and again.
-tumble_vec3 tumble_rotate(tumble_quat q, tumble_vec3 v)
+tumble_vec3 tumble_quat_rotate(tumble_quat q, tumble_vec3 v)
 {
     real m[9];
-    tumble_matrix(q, m);
+    tumble_quat_matrix(q, m);
     return tumble_v(m[0] * v.x + m[1] * v.y + m[2] * v.z,
                     m[3] * v.x + m[4] * v.y + m[5] * v.z,
                     m[6] * v.x + m[7] * v.y + m[8] * v.z);
 }
 
-tumble_vec3 tumble_to_world(tumble_pose at, tumble_vec3 local)
+tumble_vec3 tumble_pose_to_world(tumble_pose at, tumble_vec3 local)
 {
-    vec3 r = from_user(tumble_rotate(at.rotation, local));
+    vec3 r = from_user(tumble_quat_rotate(at.rotation, local));
     return to_user(vec3_add(from_user(at.position), r));
 }
 
-tumble_vec3 tumble_to_local(tumble_pose at, tumble_vec3 point)
+tumble_vec3 tumble_pose_to_local(tumble_pose at, tumble_vec3 point)
 {
     tumble_quat q = at.rotation, back = { -q.x, -q.y, -q.z, q.w };
     vec3 r = vec3_sub(from_user(point), from_user(at.position));
-    return tumble_rotate(back, to_user(r));
+    return tumble_quat_rotate(back, to_user(r));
 }
 
 const char *tumble_version(void)

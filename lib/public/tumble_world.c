@@ -55,7 +55,7 @@ static world_options options_of(const tumble_options *o)
     return how;
 }
 
-tumble_world *tumble_make(const tumble_options *options)
+tumble_world *tumble_world_make(const tumble_options *options)
 {
     tumble_world *w = calloc(1, sizeof *w);
     unmade = status_ok();
@@ -75,7 +75,7 @@ tumble_world *tumble_make(const tumble_options *options)
     return w;
 }
 
-void tumble_free(tumble_world *w)
+void tumble_world_free(tumble_world *w)
 {
     if (!w) return;
     world_free(&w->world);
@@ -102,13 +102,13 @@ void tumble_free(tumble_world *w)
     free(w);
 }
 
-const char *tumble_failure(const tumble_world *w)
+const char *tumble_world_failure(const tumble_world *w)
 {
     const status *s = w ? &w->failure : &unmade;
     return s->ok ? NULL : s->why;
 }
 
-void tumble_forget_failure(tumble_world *w)
+void tumble_world_forget_failure(tumble_world *w)
 {
     if (w) w->failure = status_ok();
     else unmade = status_ok();
@@ -118,14 +118,14 @@ void tumble_forget_failure(tumble_world *w)
 //> face-world-step
 //>   A step, what may be asked of a whole world, and planes: one that is
 //>   removed takes its contacts with it.
-void tumble_run_on(tumble_world *w,
-                   void (*run)(void *context, void (*work)(void *, int),
-                               void *data, int items), void *context)
+void tumble_world_run_on(tumble_world *w,
+                         void (*run)(void *context, void (*work)(void *, int),
+                                     void *data, int items), void *context)
 {
     if (inside_is_world(w)) w->world.options.host.run = (tasks){ run, context };
 }
 
-void tumble_step(tumble_world *w)
+void tumble_world_step(tumble_world *w)
 {
     if (!inside_is_world(w)) return;
     double time = w->world.time;
@@ -141,12 +141,12 @@ void tumble_step(tumble_world *w)
     if (w->world.report.broken > 0) inside_forget_joints(w);
 }
 
-tumble_options tumble_get_world_options(const tumble_world *w)
+tumble_options tumble_world_get_options(const tumble_world *w)
 {
     return w ? options_to(&w->world.options) : tumble_options_default();
 }
 
-double tumble_time(const tumble_world *w)
+double tumble_world_time(const tumble_world *w)
 {
     return w ? w->world.time : 0;
 }
@@ -168,7 +168,7 @@ static bool add_plane(tumble_world *w, vec3 normal, double offset,
     return false;
 }
 
-tumble_plane tumble_add_plane(tumble_world *w, tumble_vec3 normal,
+tumble_plane tumble_plane_add(tumble_world *w, tumble_vec3 normal,
                               double offset, double friction)
 {
     if (!inside_is_world(w)) return (tumble_plane){ 0, 0 };
@@ -179,7 +179,7 @@ tumble_plane tumble_add_plane(tumble_world *w, tumble_vec3 normal,
     return (tumble_plane){ 0, 0 };
 }
 
-bool tumble_remove_plane(tumble_world *w, tumble_plane p)
+bool tumble_plane_remove(tumble_world *w, tumble_plane p)
 {
     if (!inside_is_world(w)) return false;
     const plane_place *x = slots_find(&w->planes, p.place, p.generation);
@@ -189,7 +189,7 @@ bool tumble_remove_plane(tumble_world *w, tumble_plane p)
     return true;
 }
 
-bool tumble_set_gravity(tumble_world *w, tumble_vec3 gravity)
+bool tumble_world_set_gravity(tumble_world *w, tumble_vec3 gravity)
 {
     if (!inside_is_world(w)) return false;
     if (!vec3_is_finite(from_user(gravity)))
@@ -198,19 +198,19 @@ bool tumble_set_gravity(tumble_world *w, tumble_vec3 gravity)
     return true;
 }
 
-tumble_report tumble_last_step(const tumble_world *w)
+tumble_report tumble_world_last_step(const tumble_world *w)
 {
     if (!w) return (tumble_report){ .substeps = 0 };
     const step_report *r = &w->world.report;
     return (tumble_report){
-        .substeps = r->substeps, .bodies = tumble_bodies(w, NULL, 0),
+        .substeps = r->substeps, .bodies = tumble_world_bodies(w, NULL, 0),
         .asleep = r->asleep, .pairs = r->pairs, .contacts = r->contacts,
         .unconverged = r->unconverged, .prevented = r->prevented,
         .crossed = r->crossed, .dropped = r->dropped,
         .broken = r->broken };
 }
 
-tumble_measures tumble_measure(const tumble_world *w)
+tumble_measures tumble_world_measure(const tumble_world *w)
 {
     if (!w) return (tumble_measures){ .penetration = 0 };
     measures m = world_measure(&w->world);
@@ -220,7 +220,7 @@ tumble_measures tumble_measure(const tumble_world *w)
         .momentum = to_user(m.momentum), .angular = to_user(m.angular) };
 }
 
-unsigned long long tumble_hash(const tumble_world *w)
+unsigned long long tumble_world_hash(const tumble_world *w)
 {
     return w ? world_hash(&w->world) : 0;
 }

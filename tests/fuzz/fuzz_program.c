@@ -51,7 +51,7 @@ static tumble_body any_body(void)
 {
     unsigned b = byte();
     tumble_body none = { b, b };
-    if (b == 249) return tumble_ground();
+    if (b == 249) return tumble_body_ground();
     return bodies > 0 && b < 249 ? body[b % (unsigned)bodies] : none;
 }
 
@@ -70,28 +70,28 @@ static void make_shape(void)
     tumble_shape s = { 0, 0 };
     if (shapes == MOST_IDS) return;
     switch (byte() % 7) {
-    case 0: s = tumble_box(w, triple(), number()); break;
-    case 1: s = tumble_icosahedron(w, number(), number()); break;
-    case 2: s = tumble_sphere(w, number(), number()); break;
+    case 0: s = tumble_shape_box(w, triple(), number()); break;
+    case 1: s = tumble_shape_icosahedron(w, number(), number()); break;
+    case 2: s = tumble_shape_sphere(w, number(), number()); break;
     case 3: { double l = number(), r = number();
-              s = tumble_capsule(w, l, r, number()); break; }
+              s = tumble_shape_capsule(w, l, r, number()); break; }
     case 4: for (int k = 0; k < 8; k++) point[k] = triple();
-            s = tumble_hull(w, point, few() % 9, number()); break;
+            s = tumble_shape_hull(w, point, few() % 9, number()); break;
     case 5: { int n = few(); double l = number();
-              s = tumble_rope(w, n, l, number()); break; }
+              s = tumble_shape_rope(w, n, l, number()); break; }
     case 6: { int n = few(), m = few(); double l = number(), d = number();
-              s = tumble_cloth(w, n, m, l, d, number()); break; }
+              s = tumble_shape_cloth(w, n, m, l, d, number()); break; }
     }
-    MUST(s.generation != 0 || tumble_failure(w), "refused in silence");
+    MUST(s.generation != 0 || tumble_world_failure(w), "refused in silence");
     if (s.generation != 0) shape[shapes++] = s;
 }
 
 static void make_body(void)
 {
-    tumble_body_options o = tumble_at(0, 0, 0);
+    tumble_body_options o = tumble_body_at(0, 0, 0);
     o.kind = (tumble_kind)(byte() % 3);
     o.pose.position = triple();
-    o.pose.rotation = tumble_turn(triple(), number());
+    o.pose.rotation = tumble_quat_turn(triple(), number());
     o.velocity = triple();
     o.spin = triple();
     o.friction = number();
@@ -99,8 +99,8 @@ static void make_body(void)
     o.damping = number();
     if (byte() % 4 == 0) o.mask = byte();
     if (bodies == MOST_IDS) return;
-    tumble_body b = tumble_add(w, any_shape(), o);
-    MUST(b.generation != 0 || tumble_failure(w), "refused in silence");
+    tumble_body b = tumble_body_add(w, any_shape(), o);
+    MUST(b.generation != 0 || tumble_world_failure(w), "refused in silence");
     if (b.generation != 0) body[bodies++] = b;
 }
 
@@ -110,23 +110,24 @@ static void make_surface(void)
     tumble_vec3 point[8];
     double height[64];
     int corner[18];
-    tumble_body_options o = tumble_at(number(), number(), number());
+    tumble_body_options o = tumble_body_at(number(), number(), number());
     tumble_body b;
     if (bodies == MOST_IDS) return;
     if (byte() % 4 == 0) o.mask = byte();
-    o.pose.rotation = tumble_turn(triple(), number());
+    o.pose.rotation = tumble_quat_turn(triple(), number());
     for (int k = 0; k < 8; k++) point[k] = triple();
     for (int k = 0; k < 18; k++) corner[k] = byte() % 256 == 255 ? 8 : byte() % 8;
     for (int k = 0; k < 64; k++) height[k] = byte() % 8 ? 0 : number();
     int n = few(), m = few();
     double deep = byte() % 4 ? 0 : number();
-    if (byte() % 2) b = tumble_add_mesh(w, point, 8, corner, n % 7, deep, o);
+    if (byte() % 2)
+        b = tumble_body_add_mesh(w, point, 8, corner, n % 7, deep, o);
     else {
         double wide = number();
-        b = tumble_add_heights(w, height, n < 8 ? n : 8, m < 8 ? m : 8, wide,
-                               number(), deep, o);
+        b = tumble_body_add_heights(w, height, n < 8 ? n : 8, m < 8 ? m : 8,
+                                    wide, number(), deep, o);
     }
-    MUST(b.generation != 0 || tumble_failure(w), "refused in silence");
+    MUST(b.generation != 0 || tumble_world_failure(w), "refused in silence");
     if (b.generation != 0) body[bodies++] = b;
 }
 
@@ -137,15 +138,16 @@ static void make_joint(void)
     tumble_joint j = { 0, 0 };
     if (joints == MOST_IDS) return;
     switch (byte() % 6) {
-    case 0: j = tumble_ball(w, a, b, p); break;
-    case 1: j = tumble_hinge(w, a, b, p, q); break;
-    case 2: j = tumble_fix(w, a, b, p); break;
+    case 0: j = tumble_joint_ball(w, a, b, p); break;
+    case 1: j = tumble_joint_hinge(w, a, b, p, q); break;
+    case 2: j = tumble_joint_fixed(w, a, b, p); break;
     case 3: { double least = number();
-              j = tumble_distance(w, a, p, b, q, least, number()); break; }
-    case 4: j = tumble_hang(w, a, few(), b); break;
-    case 5: j = tumble_slider(w, a, b, p, q); break;
+              j = tumble_joint_distance(w, a, p, b, q, least, number());
+              break; }
+    case 4: j = tumble_joint_hang(w, a, few(), b); break;
+    case 5: j = tumble_joint_slider(w, a, b, p, q); break;
     }
-    MUST(j.generation != 0 || tumble_failure(w), "refused in silence");
+    MUST(j.generation != 0 || tumble_world_failure(w), "refused in silence");
     if (j.generation != 0) joint[joints++] = j;
 }
 
@@ -154,34 +156,34 @@ static void touch(void)
     tumble_body b = any_body();
     bool done = false;
     tumble_vec3 p = triple(), q = triple();
-    tumble_pose pose = { p, tumble_turn(q, number()) };
+    tumble_pose pose = { p, tumble_quat_turn(q, number()) };
     switch (byte() % 14) {
-    case 0:  done = tumble_push(w, b, p, q); break;
-    case 1:  done = tumble_force(w, b, p, q); break;
-    case 2:  done = tumble_set_pose(w, b, pose); break;
-    case 3:  done = tumble_set_velocity(w, b, p, q); break;
-    case 4:  done = tumble_wake(w, b); break;
-    case 5:  done = tumble_sleep(w, b); break;
-    case 6:  done = tumble_set_material(w, b, p.x, p.y); break;
-    case 7:  done = tumble_set_damping(w, b, p.x, p.y); break;
-    case 8:  done = tumble_set_filter(w, b, byte(), byte()); break;
-    case 9:  done = tumble_pin(w, b, few()); break;
-    case 10: done = tumble_unpin(w, b, few()); break;
-    case 11: done = tumble_push_vertex(w, b, few(), p); break;
-    case 12: done = tumble_set_bending(w, b, p.x); break;
-    case 13: done = tumble_remove(w, b); break;
+    case 0:  done = tumble_body_push(w, b, p, q); break;
+    case 1:  done = tumble_body_force(w, b, p, q); break;
+    case 2:  done = tumble_body_set_pose(w, b, pose); break;
+    case 3:  done = tumble_body_set_velocity(w, b, p, q); break;
+    case 4:  done = tumble_body_wake(w, b); break;
+    case 5:  done = tumble_body_sleep(w, b); break;
+    case 6:  done = tumble_body_set_material(w, b, p.x, p.y); break;
+    case 7:  done = tumble_body_set_damping(w, b, p.x, p.y); break;
+    case 8:  done = tumble_body_set_filter(w, b, byte(), byte()); break;
+    case 9:  done = tumble_body_pin(w, b, few()); break;
+    case 10: done = tumble_body_unpin(w, b, few()); break;
+    case 11: done = tumble_body_push_vertex(w, b, few(), p); break;
+    case 12: done = tumble_body_set_bending(w, b, p.x); break;
+    case 13: done = tumble_body_remove(w, b); break;
     }
-    MUST(done || tumble_failure(w), "refused in silence");
+    MUST(done || tumble_world_failure(w), "refused in silence");
 }
 
 static bool drive(tumble_joint j)
 {
     double speed = number(), force = number(), more = number();
     switch (byte() % 4) {
-    case 0:  return tumble_set_motor(w, j, speed, force);
-    case 1:  return tumble_set_spring(w, j, speed, force, more);
-    case 2:  return tumble_set_servo(w, j, speed, force, more, number());
-    default: return tumble_set_cone(w, j, triple(), speed, force, more);
+    case 0:  return tumble_joint_set_motor(w, j, speed, force);
+    case 1:  return tumble_joint_set_spring(w, j, speed, force, more);
+    case 2:  return tumble_joint_set_servo(w, j, speed, force, more, number());
+    default: return tumble_joint_set_cone(w, j, triple(), speed, force, more);
     }
 }
 
@@ -191,14 +193,14 @@ static void hold(void)
     bool done = false;
     switch (byte() % 4) {
     case 0: { double least = number();
-              done = tumble_set_limits(w, j, least, number()); break; }
-    case 1: done = tumble_set_strength(w, j, number()); break;
-    case 2: done = tumble_unjoin(w, j); break;
+              done = tumble_joint_set_limits(w, j, least, number()); break; }
+    case 1: done = tumble_joint_set_strength(w, j, number()); break;
+    case 2: done = tumble_joint_remove(w, j); break;
     case 3: done = drive(j); break;
     }
-    MUST(done || tumble_failure(w), "refused in silence");
+    MUST(done || tumble_world_failure(w), "refused in silence");
     (void)(tumble_joint_force(w, j) + tumble_joint_gap(w, j)
-           + tumble_hinge_angle(w, j) + tumble_joint_speed(w, j)
+           + tumble_joint_angle(w, j) + tumble_joint_speed(w, j)
            + tumble_joint_drive(w, j) + tumble_joint_swing(w, j)
            + tumble_joint_twist(w, j));
 }
@@ -212,49 +214,50 @@ static void look(void)
     tumble_vec3 p = triple(), q = triple(), v[4];
     tumble_pose pose = { p, { 0, 0, 0, 1 } };
     switch (byte() % 6) {
-    case 0: if (tumble_ray(w, p, q, ~0u, &h))
+    case 0: if (tumble_world_ray(w, p, q, ~0u, &h))
                 MUST(h.fraction >= 0 && h.fraction <= 1, "%g", h.fraction);
             break;
-    case 1: tumble_nearest(w, p, q.x, byte(), &h); break;
-    case 2: tumble_overlap(w, any_shape(), pose, ~0u, met, 4); break;
-    case 3: tumble_sweep(w, any_shape(), pose, q, ~0u, &h); break;
-    case 4: MUST(tumble_contacts(w, c, 4) >= 0, "contacts"); break;
-    case 5: MUST(tumble_events(w, e, 4) >= 0, "events"); break;
+    case 1: tumble_world_nearest(w, p, q.x, byte(), &h); break;
+    case 2: tumble_world_overlap(w, any_shape(), pose, ~0u, met, 4); break;
+    case 3: tumble_world_sweep(w, any_shape(), pose, q, ~0u, &h); break;
+    case 4: MUST(tumble_world_contacts(w, c, 4) >= 0, "contacts"); break;
+    case 5: MUST(tumble_world_events(w, e, 4) >= 0, "events"); break;
     }
-    MUST(tumble_vertices(w, any_body(), v, 4) >= 0, "vertices");
+    MUST(tumble_body_vertices(w, any_body(), v, 4) >= 0, "vertices");
 }
 
 // Whatever number was accepted, all that comes out is finite.
 static void check(void)
 {
     for (int k = 0; k < bodies; k++) {
-        tumble_vec3 p = tumble_position(w, body[k]);
+        tumble_vec3 p = tumble_body_position(w, body[k]);
         MUST(p.x - p.x == 0 && p.y - p.y == 0 && p.z - p.z == 0, "body %d", k);
     }
-    const char *why = tumble_failure(w);
+    const char *why = tumble_world_failure(w);
     MUST(!why || (strlen(why) > 0 && !strchr(why, '\n')), "one sentence");
-    tumble_forget_failure(w);
+    tumble_world_forget_failure(w);
 }
 
 // The world is saved and thrown away, and the loaded one goes on as it would
 // have; of bytes of which one is another nothing is loaded.
 static void save_and_load(void)
 {
-    size_t size = tumble_save(w, NULL, 0), where = byte() * 256 + byte();
+    size_t size = tumble_world_save(w, NULL, 0), where = byte() * 256 + byte();
     unsigned char *kept = malloc(size);
     if (!kept) return;
-    MUST(tumble_save(w, kept, size) == size, "%zu bytes", size);
-    tumble_world *copy = tumble_load(kept, size);
-    MUST(copy, "%s", tumble_failure(NULL));
+    MUST(tumble_world_save(w, kept, size) == size, "%zu bytes", size);
+    tumble_world *copy = tumble_world_load(kept, size);
+    MUST(copy, "%s", tumble_world_failure(NULL));
     kept[where % size] ^= (unsigned char)(1 << where % 8);
-    MUST(!tumble_load(kept, size), "byte %zu was altered", where % size);
+    MUST(!tumble_world_load(kept, size), "byte %zu was altered", where % size);
     free(kept);
     for (int k = 0; k < 4; k++) {
-        MUST(tumble_hash(copy) == tumble_hash(w), "%d steps later", k);
-        tumble_step(copy);
-        tumble_step(w);
+        MUST(tumble_world_hash(copy) == tumble_world_hash(w), "%d steps later",
+             k);
+        tumble_world_step(copy);
+        tumble_world_step(w);
     }
-    tumble_free(w);
+    tumble_world_free(w);
     w = copy;
     steps += 4;
 }
@@ -264,13 +267,14 @@ static void change_walls(void)
     unsigned b = byte();
     tumble_vec3 normal = triple();
     if (b % 2 == 0 && walls < MOST_IDS) {
-        tumble_plane p = tumble_add_plane(w, normal, number(), number());
-        MUST(p.generation != 0 || tumble_failure(w), "refused in silence");
+        tumble_plane p = tumble_plane_add(w, normal, number(), number());
+        MUST(p.generation != 0 || tumble_world_failure(w),
+             "refused in silence");
         if (p.generation != 0) wall[walls++] = p;
     } else {
         tumble_plane p = { b, b };
         if (walls > 0 && b < 250) p = wall[b % (unsigned)walls];
-        MUST(tumble_remove_plane(w, p) || tumble_failure(w),
+        MUST(tumble_plane_remove(w, p) || tumble_world_failure(w),
              "refused in silence");
     }
 }
@@ -287,10 +291,10 @@ static void call(void)
     case 5: hold(); break;
     case 6: look(); break;
     case 7: if (byte() % 8 == 0) change_walls();
-            else if (byte() % 8 == 0) tumble_drop_shape(w, any_shape());
+            else if (byte() % 8 == 0) tumble_shape_remove(w, any_shape());
             break;
     case 8: for (int k = byte() % 4; k >= 0 && steps < MOST_STEPS; k--, steps++)
-                tumble_step(w);
+                tumble_world_step(w);
             break;
     case 9: if (steps < MOST_STEPS) save_and_load();
             break;
@@ -305,8 +309,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     shapes = bodies = joints = walls = steps = 0;
     o.most_substeps = 20;
     o.restitution = byte() % 4 == 0 ? 1 : 0;
-    w = tumble_make(&o);
+    w = tumble_world_make(&o);
     for (int k = 0; w && at < end && k < MOST_CALLS; k++) call();
-    tumble_free(w);
+    tumble_world_free(w);
     return 0;
 }

@@ -69,12 +69,12 @@ START_TEST(what_is_refused_does_not_hold)
     hard_report *r = new_report();
     ck_assert(!family_ok(r, NULL));
     ck_assert(!hard_holds(hard_worst(r)));
-    tumble_world *w = tumble_make(NULL);
+    tumble_world *w = tumble_world_make(NULL);
     r->parts = 0;
     ck_assert(family_ok(r, w) && r->parts == 0);
-    tumble_box(w, tumble_v(-1, 1, 1), 1);
+    tumble_shape_box(w, tumble_v(-1, 1, 1), 1);
     ck_assert(!family_ok(r, w));
-    tumble_free(w);
+    tumble_world_free(w);
     free(r);
 }
 END_TEST
@@ -132,10 +132,10 @@ END_TEST
 
 START_TEST(a_second_has_sixty_steps)
 {
-    tumble_world *w = tumble_make(NULL);
+    tumble_world *w = tumble_world_make(NULL);
     family_run(w, 1);
-    ck_assert_double_eq_tol(tumble_time(w), 1, 1e-9);
-    tumble_free(w);
+    ck_assert_double_eq_tol(tumble_world_time(w), 1, 1e-9);
+    tumble_world_free(w);
 }
 END_TEST
 

@@ -47,7 +47,7 @@ double v_distance(tumble_vec3 a, tumble_vec3 b)
 tumble_vec3 v_turn(tumble_quat q, tumble_vec3 a)
 {
     double m[9];
-    tumble_matrix(q, m);
+    tumble_quat_matrix(q, m);
     return tumble_v(m[0] * a.x + m[1] * a.y + m[2] * a.z,
                     m[3] * a.x + m[4] * a.y + m[5] * a.z,
                     m[6] * a.x + m[7] * a.y + m[8] * a.z);
@@ -114,13 +114,13 @@ tumble_options family_options(double dt, double friction)
 
 void family_run(tumble_world *w, double seconds)
 {
-    double start = tumble_time(w), before = start;
-    tumble_step(w);
-    double dt = tumble_time(w) - before;
+    double start = tumble_world_time(w), before = start;
+    tumble_world_step(w);
+    double dt = tumble_world_time(w) - before;
     // A step that failed does not advance time.
     if (!(dt > 0)) return;
     int steps = (int)(seconds / dt + 0.5);
-    for (int n = 1; n < steps; n++) tumble_step(w);
+    for (int n = 1; n < steps; n++) tumble_world_step(w);
 }
 
 tumble_shape family_prism(tumble_world *w, int corners, double radius,
@@ -135,12 +135,12 @@ tumble_shape family_prism(tumble_world *w, int corners, double radius,
         point[i] = tumble_v(x, -height / 2, z);
         point[corners + i] = tumble_v(x, height / 2, z);
     }
-    return tumble_hull(w, point, 2 * corners, mass);
+    return tumble_shape_hull(w, point, 2 * corners, mass);
 }
 
 double family_energy(const tumble_world *w)
 {
-    tumble_measures m = tumble_measure(w);
+    tumble_measures m = tumble_world_measure(w);
     return m.kinetic + m.potential;
 }
 
@@ -170,7 +170,7 @@ void family_add(hard_report *r, const family_worst *f, const char *unit,
 
 int family_ok(hard_report *r, const tumble_world *w)
 {
-    const char *why = tumble_failure(w);
+    const char *why = tumble_world_failure(w);
     if (w && !why) return 1;
     hard_add(r, HUGE_VAL, 0, "", "nothing is refused");
     hard_note(r, "refused: %s", why ? why : "no world");

@@ -49,7 +49,7 @@ void family_run(tumble_world *w, double seconds);
 tumble_shape family_prism(tumble_world *w, int corners, double radius,
                           double height, double mass);
 
-// Kinetic and potential energy (J), from tumble_measure.
+// Kinetic and potential energy (J), from tumble_world_measure.
 double family_energy(const tumble_world *w);
 
 // ---- The worst of many trials ----------------------------------------------

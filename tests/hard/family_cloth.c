@@ -30,39 +30,40 @@ static sheet add_sheet(tumble_world *w, int columns, int rows, double width,
                        double depth, double mass, tumble_body_options o)
 {
     tumble_shape s = rows > 1
-        ? tumble_cloth(w, columns, rows, width, depth, mass)
-        : tumble_rope(w, columns - 1, width, mass);
-    return (sheet){ tumble_add(w, s, o), columns, rows, width, depth };
+        ? tumble_shape_cloth(w, columns, rows, width, depth, mass)
+        : tumble_shape_rope(w, columns - 1, width, mass);
+    return (sheet){ tumble_body_add(w, s, o), columns, rows, width, depth };
 }
 
 // A small body that meets nothing, to hang things on.
 static tumble_body add_post(tumble_world *w, tumble_vec3 at, tumble_vec3 speed)
 {
-    tumble_body_options o = tumble_at(at.x, at.y, at.z);
+    tumble_body_options o = tumble_body_at(at.x, at.y, at.z);
     o.kind = TUMBLE_KINEMATIC;
     o.velocity = speed;
     o.mask = 0;
-    return tumble_add(w, tumble_box(w, tumble_v(0.05, 0.05, 0.05), 1), o);
+    return tumble_body_add(w, tumble_shape_box(w, tumble_v(0.05, 0.05, 0.05),
+                                               1), o);
 }
 
 // Vertex i hangs on a post of its own, which goes at this speed.
 static tumble_joint hang_up(tumble_world *w, const sheet *s, int i,
                             tumble_vec3 speed, tumble_body *post)
 {
-    *post = add_post(w, tumble_vertex(w, s->body, i), speed);
-    return tumble_hang(w, s->body, i, *post);
+    *post = add_post(w, tumble_body_vertex(w, s->body, i), speed);
+    return tumble_joint_hang(w, s->body, i, *post);
 }
 
 static void halt(tumble_world *w, tumble_body b)
 {
-    tumble_set_velocity(w, b, STILL, STILL);
+    tumble_body_set_velocity(w, b, STILL, STILL);
 }
 
 // The largest |length / rest - 1| of neighbours in a row or a column.
 static double strain(const tumble_world *w, const sheet *s)
 {
     static tumble_vec3 at[MOST_VERTICES];
-    int n = tumble_vertices(w, s->body, at, MOST_VERTICES);
+    int n = tumble_body_vertices(w, s->body, at, MOST_VERTICES);
     double most = 0;
     for (int i = 0; i < n; i++) {
         if (i % s->columns)
@@ -80,7 +81,7 @@ static double fastest(const tumble_world *w, const sheet *s, tumble_vec3 *was,
                       double dt)
 {
     static tumble_vec3 at[MOST_VERTICES];
-    int n = tumble_vertices(w, s->body, at, MOST_VERTICES);
+    int n = tumble_body_vertices(w, s->body, at, MOST_VERTICES);
     double most = 0;
     for (int i = 0; i < n; i++)
         most = hard_worse(most, v_distance(at[i], was[i]) / dt);
@@ -103,8 +104,8 @@ static int take_patches(const tumble_world *w, const sheet *s, int sheets)
     static vec3 place[MOST_VERTICES];
     int count = 0, first = 0;
     for (int k = 0; k < sheets; k++) {
-        int faces, n = tumble_vertices(w, s[k].body, at, MOST_VERTICES);
-        const int *face = tumble_triangles(w, s[k].body, &faces);
+        int faces, n = tumble_body_vertices(w, s[k].body, at, MOST_VERTICES);
+        const int *face = tumble_body_triangles(w, s[k].body, &faces);
         for (int i = 0; i < n; i++) place[i] = as_vec3(at[i]);
         for (int i = 0; i < faces && count < MOST_PATCHES; i++)
             found[count++] = patch_make(place, &face[3 * i], first);
@@ -124,8 +125,8 @@ static long crossings(const tumble_world *w, const sheet *s, int sheets,
         static solid hard;
         tumble_vec3 at[8];
         vec3 corner[8];
-        int faces, corners = tumble_vertices(w, body[k], at, 8);
-        const int *face = tumble_triangles(w, body[k], &faces);
+        int faces, corners = tumble_body_vertices(w, body[k], at, 8);
+        const int *face = tumble_body_triangles(w, body[k], &faces);
         for (int i = 0; i < 8; i++) corner[i] = as_vec3(at[i]);
         solid_make(&hard, corner, corners, face, faces);
         for (int i = 0; i < n; i++)
@@ -138,16 +139,16 @@ static tumble_world *begin(double dt, double friction)
 {
     tumble_options o = family_options(dt, friction);
     o.sleep_speed = 0;
-    return tumble_make(&o);
+    return tumble_world_make(&o);
 }
 
 static tumble_body add_static(tumble_world *w, tumble_shape s, tumble_vec3 at,
                               tumble_quat turned)
 {
-    tumble_body_options o = tumble_at(at.x, at.y, at.z);
+    tumble_body_options o = tumble_body_at(at.x, at.y, at.z);
     o.kind = TUMBLE_STATIC;
     o.pose.rotation = turned;
-    return tumble_add(w, s, o);
+    return tumble_body_add(w, s, o);
 }
 
 // ---- 170: sheets under heavy edges -----------------------------------------
@@ -160,27 +161,30 @@ static void throw_box(hard_report *r, family_worst *end, family_worst *silent,
     const tumble_quat level = { 0, 0, 0, 1 };
     sheet s[3];
     tumble_world *w = begin(dt, 0.5);
-    add_static(w, tumble_box(w, tumble_v(1.2, 0.5, 1.2), 1),
+    add_static(w, tumble_shape_box(w, tumble_v(1.2, 0.5, 1.2), 1),
                tumble_v(0, -0.25, 0), level);
-    tumble_add_plane(w, tumble_v(0, 1, 0), -1.2, -1);
+    tumble_plane_add(w, tumble_v(0, 1, 0), -1.2, -1);
     for (int k = 0; k < sheets; k++) {
-        tumble_body_options o = tumble_at(0, (1 + 1.2 * k) * 1.6 / (n - 1), 0);
+        tumble_body_options o = tumble_body_at(0, (1 + 1.2 * k) * 1.6 / (n - 1),
+                                               0);
         o.damping = 5;
         s[k] = add_sheet(w, n, n, 1.6, 1.6, 0.2, o);
     }
     family_run(w, 1.5);
-    for (int k = 0; k < sheets; k++) tumble_set_damping(w, s[k].body, 0, 0);
-    tumble_body_options o = tumble_at(0.1, 0.6 + 0.3 * sheets, 0.05);
-    o.pose.rotation = tumble_turn(tumble_v(1, 0.3, 0.8), 0.8);
+    for (int k = 0; k < sheets; k++)
+        tumble_body_set_damping(w, s[k].body, 0, 0);
+    tumble_body_options o = tumble_body_at(0.1, 0.6 + 0.3 * sheets, 0.05);
+    o.pose.rotation = tumble_quat_turn(tumble_v(1, 0.3, 0.8), 0.8);
     o.velocity = tumble_v(0.3 * speed, -speed, 0.1 * speed);
     o.spin = tumble_v(1, 3, 2);
-    tumble_body box = tumble_add(w, tumble_box(w, tumble_v(0.3, 0.3, 0.3), mass),
-                                 o);
+    tumble_body box =
+        tumble_body_add(w, tumble_shape_box(w, tumble_v(0.3, 0.3, 0.3), mass),
+                        o);
     long now = 0, unsaid = 0;
     for (int i = (int)(1.5 / dt); i > 0; i--) {
-        tumble_step(w);
+        tumble_world_step(w);
         now = crossings(w, s, sheets, &box, 1);
-        unsaid += now > 0 && tumble_last_step(w).unconverged == 0;
+        unsaid += now > 0 && tumble_world_last_step(w).unconverged == 0;
     }
     if (family_ok(r, w)) {
         char at[80];
@@ -189,7 +193,7 @@ static void throw_box(hard_report *r, family_worst *end, family_worst *silent,
         family_trial(end, (double)now, "%s", at);
         family_trial(silent, (double)unsaid, "%s", at);
     }
-    tumble_free(w);
+    tumble_world_free(w);
 }
 
 static void heavy_edges(hard_report *r, int fast)
@@ -214,26 +218,27 @@ static const char *const HANGING_NAME[] = {
 static sheet hang_cloth(tumble_world *w, hanging kind, int n, double damping,
                         double dt)
 {
-    tumble_body_options o = tumble_at(0, 2, 0);
+    tumble_body_options o = tumble_body_at(0, 2, 0);
     o.damping = damping;
     if (kind != FOUR && kind != SAGGING)
-        o.pose.rotation = tumble_turn(tumble_v(1, 0, 0), FAMILY_PI / 2);
+        o.pose.rotation = tumble_quat_turn(tumble_v(1, 0, 0), FAMILY_PI / 2);
     sheet s = add_sheet(w, n, n, 1, 1, 0.2, o);
     int corner[] = { 0, n - 1, n * (n - 1), n * n - 1 };
     // The upper edge of one that was turned upright is that of its first row.
-    if (tumble_vertex(w, s.body, 0).y < tumble_vertex(w, s.body, n * n - 1).y)
+    if (tumble_body_vertex(w, s.body, 0).y
+        < tumble_body_vertex(w, s.body, n * n - 1).y)
         for (int k = 0; k < 2; k++) corner[k] = corner[k + 2];
     int corners = kind == FOUR || kind == SAGGING ? 4 : 2;
     if (kind == EDGE)
-        for (int i = 0; i < n; i++) tumble_pin(w, s.body, corner[0] + i);
+        for (int i = 0; i < n; i++) tumble_body_pin(w, s.body, corner[0] + i);
     if (kind == CURTAIN || kind == FOUR)
-        for (int k = 0; k < corners; k++) tumble_pin(w, s.body, corner[k]);
+        for (int k = 0; k < corners; k++) tumble_body_pin(w, s.body, corner[k]);
     if (kind != LOOSE && kind != SAGGING) return s;
     // Posts go towards each other, 5 cm together.
     tumble_body post[4];
     for (int k = 0; k < corners; k++)
         hang_up(w, &s, corner[k], tumble_v(k % 2 ? -0.1 : 0.1, 0, 0), &post[k]);
-    for (int i = (int)(0.25 / dt); i > 0; i--) tumble_step(w);
+    for (int i = (int)(0.25 / dt); i > 0; i--) tumble_world_step(w);
     for (int k = 0; k < corners; k++) halt(w, post[k]);
     return s;
 }
@@ -253,10 +258,10 @@ static void come_to_rest(hard_report *r, int fast)
         double dt = STEPS[k / HANGINGS == 3], seconds = fast ? 1 : 10;
         tumble_world *w = begin(dt, 0.5);
         sheet s = hang_cloth(w, kind, n, k_s, dt);
-        tumble_vertices(w, s.body, was, MOST_VERTICES);
+        tumble_body_vertices(w, s.body, was, MOST_VERTICES);
         int steps = (int)(seconds / dt + 0.5);
         for (int i = 0; i < steps; i++) {
-            tumble_step(w);
+            tumble_world_step(w);
             double now = fastest(w, &s, was, dt);
             if (i < steps / 5) most = hard_worse(most, now);
             if (i >= steps - steps / 10) last = hard_worse(last, now);
@@ -267,7 +272,7 @@ static void come_to_rest(hard_report *r, int fast)
             family_trial(k_s > 1 ? &again : &speed, fmax(last - allowed, 0),
                          "%s, %d x %d, dt 1/%.0f", HANGING_NAME[kind], n, n,
                          1 / dt);
-        tumble_free(w);
+        tumble_world_free(w);
     }
     family_add(r, &speed, "m/s", "fastest vertex at a damping of 1/s");
     if (!fast) family_add(r, &again, "m/s", "fastest vertex at 5/s");
@@ -300,23 +305,24 @@ static double let_sag(tumble_world *w, const tumble_joint *j, int joints,
     int steps = (int)(seconds / dt + 0.5), last = (int)(1 / dt);
     *low = 0;
     for (int i = 0; i < steps; i++) {
-        tumble_step(w);
+        tumble_world_step(w);
         if (i < steps - last) continue;
         for (int k = 0; k < joints; k++)
             most = hard_worse(most, tumble_joint_force(w, j[k]));
-        *low -= tumble_position(w, weight).y / last;
+        *low -= tumble_body_position(w, weight).y / last;
     }
     return most;
 }
 
 static tumble_body add_weight(tumble_world *w, const sheet *s, int i, double mass)
 {
-    tumble_vec3 at = tumble_vertex(w, s->body, i);
-    tumble_body_options o = tumble_at(at.x, at.y, at.z);
+    tumble_vec3 at = tumble_body_vertex(w, s->body, i);
+    tumble_body_options o = tumble_body_at(at.x, at.y, at.z);
     o.damping = 3;
     o.mask = 0;
-    tumble_body ball = tumble_add(w, tumble_sphere(w, 0.03, mass), o);
-    tumble_hang(w, s->body, i, ball);
+    tumble_body ball = tumble_body_add(w, tumble_shape_sphere(w, 0.03, mass),
+                                       o);
+    tumble_joint_hang(w, s->body, i, ball);
     return ball;
 }
 
@@ -324,10 +330,10 @@ static void load_rope(hard_report *r, family_worst *sag, family_worst *force,
                       double mass, double c, double dt, double seconds)
 {
     tumble_world *w = begin(dt, 0.5);
-    tumble_body_options o = tumble_at(0, 0, 0);
+    tumble_body_options o = tumble_body_at(0, 0, 0);
     o.damping = 3;
     sheet s = add_sheet(w, 21, 1, 1, 0, 0.001, o);
-    tumble_set_stretch(w, s.body, c);
+    tumble_body_set_stretch(w, s.body, c);
     tumble_joint j[2];
     tumble_body post;
     for (int k = 0; k < 2; k++) j[k] = hang_up(w, &s, 20 * k, STILL, &post);
@@ -341,7 +347,7 @@ static void load_rope(hard_report *r, family_worst *sag, family_worst *force,
         family_trial(force, most / pull, "%g kg, %g 1/N, dt 1/%.0f", mass, c,
                      1 / dt);
     }
-    tumble_free(w);
+    tumble_world_free(w);
 }
 
 // The same sheet as nothing but threads, each a spring: what hangs on it, its
@@ -424,10 +430,10 @@ static void load_sheet(hard_report *r, family_worst *force, double mass, double 
     enum { N = NET };
     const double sheet_mass = 0.1;
     tumble_world *w = begin(dt, 0.5);
-    tumble_body_options o = tumble_at(0, 0, 0);
+    tumble_body_options o = tumble_body_at(0, 0, 0);
     o.damping = 3;
     sheet s = add_sheet(w, N, N, 1, 1, sheet_mass, o);
-    tumble_set_stretch(w, s.body, c);
+    tumble_body_set_stretch(w, s.body, c);
     const int corner[] = { 0, N - 1, N * (N - 1), N * N - 1 };
     tumble_joint j[4];
     tumble_body post;
@@ -441,7 +447,7 @@ static void load_sheet(hard_report *r, family_worst *force, double mass, double 
     if (family_ok(r, w))
         family_trial(force, most / pull, "%g kg, %g m/N, dt 1/%.0f", mass, c,
                      1 / dt);
-    tumble_free(w);
+    tumble_world_free(w);
 }
 
 static void taut(hard_report *r, int fast)
@@ -502,17 +508,17 @@ static const double SPACING = 0.05;
 // which the middle of what lies on it is bent.
 static double add_drum(tumble_world *w, capstan kind, double friction)
 {
-    tumble_body_options o = tumble_at(0, 0, 0);
+    tumble_body_options o = tumble_body_at(0, 0, 0);
     o.kind = kind == CLOTH_ON_ROPE ? TUMBLE_DYNAMIC : TUMBLE_STATIC;
     o.friction = friction;
     if (kind != CLOTH_ON_ROPE) {
-        o.pose.rotation = tumble_turn(tumble_v(1, 0, 0), FAMILY_PI / 2);
-        tumble_add(w, tumble_capsule(w, 1, 0.2, 1), o);
+        o.pose.rotation = tumble_quat_turn(tumble_v(1, 0, 0), FAMILY_PI / 2);
+        tumble_body_add(w, tumble_shape_capsule(w, 1, 0.2, 1), o);
         return 0.2 + 0.55 * SPACING;
     }
-    o.pose.rotation = tumble_turn(tumble_v(0, 1, 0), FAMILY_PI / 2);
-    tumble_body rope = tumble_add(w, tumble_rope(w, 20, 1, 1), o);
-    for (int i = 0; i <= 20; i++) tumble_pin(w, rope, i);
+    o.pose.rotation = tumble_quat_turn(tumble_v(0, 1, 0), FAMILY_PI / 2);
+    tumble_body rope = tumble_body_add(w, tumble_shape_rope(w, 20, 1, 1), o);
+    for (int i = 0; i <= 20; i++) tumble_body_pin(w, rope, i);
     return 1.1 * SPACING;
 }
 
@@ -528,23 +534,23 @@ static double let_slide(hard_report *r, capstan kind, double mu, double part,
     double hangs = length + SPACING - FAMILY_PI * radius;
     double beside = part * most_beside(hangs, radius, mu);
     int shift = (int)(beside / SPACING + 0.5), rows = kind == ROPE_ON_DRUM ? 1 : 4;
-    tumble_body_options o = tumble_at(shift * SPACING, radius + 0.01, 0);
+    tumble_body_options o = tumble_body_at(shift * SPACING, radius + 0.01, 0);
     o.damping = 4;
     o.friction = mu;
     sheet s = add_sheet(w, LINKS + 1, rows, length, (rows - 1) * SPACING, length,
                         o);
     int top = LINKS / 2 - shift;
     for (int k = 0; k < rows; k++)
-        tumble_pin(w, s.body, top + k * s.columns);
+        tumble_body_pin(w, s.body, top + k * s.columns);
     family_run(w, fast ? 2 : 4);
     for (int k = 0; k < rows; k++)
-        tumble_unpin(w, s.body, top + k * s.columns);
-    tumble_set_damping(w, s.body, 0, 0);
-    double before = tumble_vertex(w, s.body, LINKS).y;
+        tumble_body_unpin(w, s.body, top + k * s.columns);
+    tumble_body_set_damping(w, s.body, 0, 0);
+    double before = tumble_body_vertex(w, s.body, LINKS).y;
     family_run(w, 3);
-    double went = before - tumble_vertex(w, s.body, LINKS).y;
+    double went = before - tumble_body_vertex(w, s.body, LINKS).y;
     int is_ok = family_ok(r, w);
-    tumble_free(w);
+    tumble_world_free(w);
     return is_ok ? went : (double)NAN;
 }
 
@@ -578,10 +584,10 @@ static const char *const DEMAND_NAME[] = {
 static sheet demand_begin(tumble_world *w, demand kind, int n, double speed,
                           tumble_body bar[2])
 {
-    sheet s = add_sheet(w, n, n, 1, 1, 0.2, tumble_at(0, 0, 0));
+    sheet s = add_sheet(w, n, n, 1, 1, 0.2, tumble_body_at(0, 0, 0));
     for (int side = 0; side < 2; side++) {
         double sign = side ? 1 : -1;
-        tumble_body_options o = tumble_at(sign / 2, 0, 0);
+        tumble_body_options o = tumble_body_at(sign / 2, 0, 0);
         o.kind = TUMBLE_KINEMATIC;
         tumble_vec3 sides = { 0.05, 0.05, 1 };
         if (kind == TORN) o.velocity = tumble_v(sign * speed / 2, 0, 0);
@@ -591,9 +597,10 @@ static sheet demand_begin(tumble_world *w, demand kind, int n, double speed,
             o.velocity = tumble_v(0, -0.3 * speed * sign, 0);
             sides = tumble_v(1.5, 0.2, 1.5);
         } else o.mask = 0;
-        bar[side] = tumble_add(w, tumble_box(w, sides, 1), o);
+        bar[side] = tumble_body_add(w, tumble_shape_box(w, sides, 1), o);
         for (int i = 0; i < n && kind != PINCHED; i++)
-            tumble_hang(w, s.body, side ? i * n + n - 1 : i * n, bar[side]);
+            tumble_joint_hang(w, s.body, side ? i * n + n - 1 : i * n,
+                              bar[side]);
     }
     return s;
 }
@@ -617,11 +624,11 @@ static void demands(hard_report *r, int fast)
         for (int i = 0; i < stop + 60; i++) {
             if (i == stop)
                 for (int side = 0; side < 2; side++) halt(w, bar[side]);
-            tumble_step(w);
+            tumble_world_step(w);
             long now = crossings(w, &s, 1, bar, kind == PINCHED ? 2 : 0);
             int is_hard = now > 0 || strain(w, &s) > 0.01;
             hard += is_hard;
-            unsaid += is_hard && tumble_last_step(w).unconverged == 0;
+            unsaid += is_hard && tumble_world_last_step(w).unconverged == 0;
             if (now > most) most = now;
         }
         if (family_ok(r, w)) {
@@ -631,7 +638,7 @@ static void demands(hard_report *r, int fast)
             family_trial(&cross, (double)most, "%s, at speed %g",
                          DEMAND_NAME[kind], speed);
         }
-        tumble_free(w);
+        tumble_world_free(w);
     }
     family_add(r, &silent, "", "of the frames that cannot be, unreported");
     family_add(r, &cross, "", "crossings, most in a frame");
@@ -646,18 +653,19 @@ static const char *const FALL_NAME[] = {
 
 static sheet fall_begin(tumble_world *w, fall_kind kind, int n)
 {
-    tumble_body_options o = tumble_at(0, 1, 0);
+    tumble_body_options o = tumble_body_at(0, 1, 0);
     sheet s = kind == ROPE_WHIP ? add_sheet(w, 2 * n, 1, 2, 0, 0.2, o)
                                 : add_sheet(w, n, n, 1, 1, 0.2, o);
     if (kind == FLAG)
-        for (int i = 0; i < n; i++) tumble_pin(w, s.body, i * n);
-    if (kind == ROPE_WHIP) tumble_pin(w, s.body, 0);
+        for (int i = 0; i < n; i++) tumble_body_pin(w, s.body, i * n);
+    if (kind == ROPE_WHIP) tumble_body_pin(w, s.body, 0);
     if (kind == ON_CUBE)
-        add_static(w, tumble_box(w, tumble_v(0.4, 0.4, 0.4), 1),
+        add_static(w, tumble_shape_box(w, tumble_v(0.4, 0.4, 0.4), 1),
                    tumble_v(0.1, 0.4, 0.1), (tumble_quat){ 0, 0, 0, 1 });
     // A tenth of its weight's impulse in a second, on one vertex.
     if (kind == PUSHED)
-        tumble_push_vertex(w, s.body, n * n - 1, tumble_v(0.1, 0.1, -0.15));
+        tumble_body_push_vertex(w, s.body, n * n - 1,
+                                tumble_v(0.1, 0.1, -0.15));
     return s;
 }
 
@@ -672,13 +680,13 @@ static void lengths(hard_report *r, int fast)
         tumble_world *w = begin(dt, 0.5);
         sheet s = fall_begin(w, kind, n);
         for (int i = (int)(1.5 / dt); i > 0; i--) {
-            tumble_step(w);
+            tumble_world_step(w);
             worst = hard_worse(worst, strain(w, &s));
         }
         if (family_ok(r, w))
             family_trial(&most, worst, "%s, %d a side, dt 1/%.0f",
                          FALL_NAME[kind], n, 1 / dt);
-        tumble_free(w);
+        tumble_world_free(w);
     }
     family_add(r, &most, "", "strain of rope and cloth on their way");
 }
@@ -715,7 +723,7 @@ static void catenary(hard_report *r, int fast)
         double length = sizes[(k + k / 3) % 3], span = spans[k / 3 % 3] * length;
         double dt = STEPS[k / 9];
         tumble_world *w = begin(dt, 0.5);
-        tumble_body_options o = tumble_at(0, 0, 0);
+        tumble_body_options o = tumble_body_at(0, 0, 0);
         o.damping = 4;
         sheet s = add_sheet(w, n + 1, 1, length, 0, 0.1, o);
         // Above the vertices that meet where both ends come close.
@@ -725,18 +733,19 @@ static void catenary(hard_report *r, int fast)
             hang_up(w, &s, i * n, tumble_v(i ? -speed : speed, 0, 0), &post[i]);
         family_run(w, seconds);
         for (int i = 0; i < 2; i++) halt(w, post[i]);
-        double y = tumble_vertex(w, s.body, 0).y;
-        double is = v_distance(tumble_vertex(w, s.body, 0),
-                               tumble_vertex(w, s.body, n));
+        double y = tumble_body_vertex(w, s.body, 0).y;
+        double is = v_distance(tumble_body_vertex(w, s.body, 0),
+                               tumble_body_vertex(w, s.body, n));
         family_run(w, fast ? 5 : 12);
         double worst = 0;
         for (int i = 0; i <= n; i++)
-            worst = hard_worse(worst, fabs(y - tumble_vertex(w, s.body, i).y
+            worst = hard_worse(worst,
+                               fabs(y - tumble_body_vertex(w, s.body, i).y
                 - chain_depth(n, length / n, is, i)));
         if (family_ok(r, w))
             family_trial(&off, worst / length, "%d links, %g m over %.2f m, dt "
                          "1/%.0f", n, length, is, 1 / dt);
-        tumble_free(w);
+        tumble_world_free(w);
     }
     family_add(r, &off, "", "a rope between two points, of its length");
 }
@@ -757,27 +766,28 @@ static void strings(hard_report *r, int fast)
         tumble_options o = family_options(dt, 0.5);
         o.gravity = STILL;
         o.sleep_speed = 0;
-        tumble_world *w = tumble_make(&o);
-        sheet s = add_sheet(w, n + 1, 1, 1, 0, mass, tumble_at(0, 0, 0));
-        tumble_set_stretch(w, s.body, 0.05 / pull);
-        tumble_set_damping(w, s.body, 5, 0);
+        tumble_world *w = tumble_world_make(&o);
+        sheet s = add_sheet(w, n + 1, 1, 1, 0, mass, tumble_body_at(0, 0, 0));
+        tumble_body_set_stretch(w, s.body, 0.05 / pull);
+        tumble_body_set_damping(w, s.body, 5, 0);
         tumble_body post[2];
         for (int i = 0; i < 2; i++)
             hang_up(w, &s, i * n, tumble_v(i ? 0.025 : -0.025, 0, 0), &post[i]);
         family_run(w, 1);
         for (int i = 0; i < 2; i++) halt(w, post[i]);
         family_run(w, 3);
-        tumble_set_damping(w, s.body, 0, 0);
+        tumble_body_set_damping(w, s.body, 0, 0);
         double each = mass / (n + 1);       // kg, of a vertex
         double truth = FAMILY_PI / sqrt(pull / (each * 1.05 / n))
                      / sin(FAMILY_PI / (2 * n));
         for (int i = 1; i < n; i++)
-            tumble_push_vertex(w, s.body, i, tumble_v(0, each * 0.03 / truth
+            tumble_body_push_vertex(w, s.body, i,
+                                    tumble_v(0, each * 0.03 / truth
                 * sin(FAMILY_PI * i / n), 0));
         double was = 0, took = (double)NAN, most = (fast ? 3 : 7) * truth;
         for (double t = dt; t < most; t += dt) {
-            tumble_step(w);
-            double now = tumble_vertex(w, s.body, n / 2).y;
+            tumble_world_step(w);
+            double now = tumble_body_vertex(w, s.body, n / 2).y;
             if ((was < 0) != (now < 0) && was != 0) {
                 double at = t - dt * now / (now - was);
                 if (++passed == 0) first = at;
@@ -788,7 +798,7 @@ static void strings(hard_report *r, int fast)
         if (family_ok(r, w))
             family_trial(&period, fabs(took / truth - 1),
                          "%d links, %g N, dt 1/%.0f", n, pull, 1 / dt);
-        tumble_free(w);
+        tumble_world_free(w);
     }
     family_add(r, &period, "", "period of a taut string, of itself");
 }
@@ -807,37 +817,38 @@ static void over_a_drum(hard_report *r, int fast)
         double dt = STEPS[k / 3], a = 1, b = ratios[k % 3], rope = 0.05;
         tumble_world *w = begin(dt, 0);
         double radius = add_drum(w, ROPE_ON_DRUM, 0), length = LINKS * SPACING;
-        tumble_body_options o = tumble_at(0, radius + 0.01, 0);
+        tumble_body_options o = tumble_body_at(0, radius + 0.01, 0);
         o.damping = 4;
         o.friction = 0;
         sheet s = add_sheet(w, LINKS + 1, 1, length, 0, rope, o);
-        tumble_pin(w, s.body, LINKS / 2);
+        tumble_body_pin(w, s.body, LINKS / 2);
         tumble_body ball[2];
         tumble_joint j[2];
         for (int i = 0; i < 2; i++) {
-            tumble_vec3 at = tumble_vertex(w, s.body, i * LINKS);
-            o = tumble_at(at.x, at.y, at.z);
+            tumble_vec3 at = tumble_body_vertex(w, s.body, i * LINKS);
+            o = tumble_body_at(at.x, at.y, at.z);
             o.damping = 4;
             o.mask = 0;
-            ball[i] = tumble_add(w, tumble_sphere(w, 0.05, i ? b : a), o);
-            j[i] = tumble_hang(w, s.body, i * LINKS, ball[i]);
+            ball[i] =
+                tumble_body_add(w, tumble_shape_sphere(w, 0.05, i ? b : a), o);
+            j[i] = tumble_joint_hang(w, s.body, i * LINKS, ball[i]);
         }
         family_run(w, 6);
-        tumble_unpin(w, s.body, LINKS / 2);
-        tumble_set_damping(w, s.body, 0, 0);
-        for (int i = 0; i < 2; i++) tumble_set_damping(w, ball[i], 0, 0);
-        double was = tumble_position(w, ball[1]).y, t = 0.4;
+        tumble_body_unpin(w, s.body, LINKS / 2);
+        tumble_body_set_damping(w, s.body, 0, 0);
+        for (int i = 0; i < 2; i++) tumble_body_set_damping(w, ball[i], 0, 0);
+        double was = tumble_body_position(w, ball[1]).y, t = 0.4;
         double bore[2] = { 0, 0 };
         int steps = (int)(t / dt + 0.5);
         for (int n = 0; n < steps; n++) {
-            tumble_step(w);
+            tumble_world_step(w);
             for (int i = 0; i < 2; i++)
                 bore[i] += tumble_joint_force(w, j[i]) / steps;
         }
         double all = a + b + rope, grow = 2 * rope / length;
         double rate = sqrt(grow * FAMILY_G / all);
         double truth = (b - a) / grow * (cosh(rate * t) - 1);
-        double x = was - tumble_position(w, ball[1]).y;
+        double x = was - tumble_body_position(w, ball[1]).y;
         double speeds = FAMILY_G * (b - a + grow * truth / 3) / all;
         if (family_ok(r, w)) {
             family_trial(&way, fabs(x - truth) / (0.5 * FAMILY_G * t * t),
@@ -849,7 +860,7 @@ static void over_a_drum(hard_report *r, int fast)
                              "%g and %g kg, end %d, dt 1/%.0f", a, b, i, 1 / dt);
             }
         }
-        tumble_free(w);
+        tumble_world_free(w);
     }
     family_add(r, &way, "", "way of two weights over a drum, of a fall");
     family_add(r, &pulls, "", "mean pull on both its sides, of itself");
@@ -871,19 +882,21 @@ static void keep_sums(hard_report *r, int fast)
         double dt = STEPS[k / 8];
         tumble_options o = family_options(dt, 0.5);
         o.gravity = STILL;
-        tumble_world *w = tumble_make(&o);
+        tumble_world *w = tumble_world_make(&o);
         sheet s = add_sheet(w, n, kind == 1 ? 1 : n, 1, 1, 0.3,
-                            tumble_at(0, 0, 0));
+                            tumble_body_at(0, 0, 0));
         for (int i = 0; i < n; i += 4)
-            tumble_push_vertex(w, s.body, i, tumble_v(0.02 * i, 0.05, -0.03));
-        tumble_body_options thrown = tumble_at(0.2, 0.5, 0.1);
+            tumble_body_push_vertex(w, s.body, i,
+                                    tumble_v(0.02 * i, 0.05, -0.03));
+        tumble_body_options thrown = tumble_body_at(0.2, 0.5, 0.1);
         thrown.velocity = tumble_v(0, -3, 0);
         if (kind == 2) add_sheet(w, n, n, 1, 1, 0.3, thrown);
-        if (kind == 3) tumble_add(w, tumble_sphere(w, 0.2, 1), thrown);
-        if (bends) tumble_set_bending(w, s.body, 1e-3);
-        tumble_measures a = tumble_measure(w), b;
+        if (kind == 3)
+            tumble_body_add(w, tumble_shape_sphere(w, 0.2, 1), thrown);
+        if (bends) tumble_body_set_bending(w, s.body, 1e-3);
+        tumble_measures a = tumble_world_measure(w), b;
         family_run(w, 1);
-        b = tumble_measure(w);
+        b = tumble_world_measure(w);
         char at[80];
         snprintf(at, sizeof at, "%s%s, dt 1/%.0f", name[kind],
                  bends ? ", stiff" : "", 1 / dt);
@@ -893,17 +906,17 @@ static void keep_sums(hard_report *r, int fast)
             family_trial(&turns, v_distance(a.angular, b.angular)
                          / v_length(a.angular), "%s", at);
         }
-        tumble_set_gravity(w, tumble_v(0, -FAMILY_G, 0));
-        tumble_pose p = tumble_get_pose(w, s.body);
-        double v = tumble_velocity(w, s.body).y;
+        tumble_world_set_gravity(w, tumble_v(0, -FAMILY_G, 0));
+        tumble_pose p = tumble_body_pose(w, s.body);
+        double v = tumble_body_velocity(w, s.body).y;
         if (kind < 2) {
             family_run(w, 1);
-            double y = tumble_position(w, s.body).y;
+            double y = tumble_body_position(w, s.body).y;
             double t = (int)(1 / dt + 0.5) * dt;
             family_trial(&falls, fabs(y - p.position.y - v * t
                                       + FAMILY_G * t * t / 2), "%s", at);
         }
-        tumble_free(w);
+        tumble_world_free(w);
     }
     family_add(r, &sums, "", "momentum of thrown cloth and rope, of itself");
     family_add(r, &turns, "", "angular momentum of them, of itself");

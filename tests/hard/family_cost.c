@@ -40,7 +40,7 @@ static double median(double *x, int n)
 static double timed_step(tumble_world *w)
 {
     double start = clock_now();
-    tumble_step(w);
+    tumble_world_step(w);
     return clock_now() - start;
 }
 
@@ -58,7 +58,8 @@ static cost measure(tumble_world *const *w, int worlds, int steps)
     for (int n = 0; n < steps; n++)
         for (int k = 0; k < worlds; k++) {
             took[k][n] = timed_step(w[k]);
-            c.substeps[k] += (double)tumble_last_step(w[k]).substeps / steps;
+            c.substeps[k] += (double)tumble_world_last_step(w[k]).substeps
+                / steps;
         }
     for (int k = 0; k < worlds; k++) c.seconds[k] = median(took[k], steps);
     return c;
@@ -68,8 +69,8 @@ static tumble_world *begin(double sleep_speed)
 {
     tumble_options o = tumble_options_default();
     o.sleep_speed = sleep_speed;
-    tumble_world *w = tumble_make(&o);
-    tumble_add_plane(w, tumble_v(0, 1, 0), 0, -1);
+    tumble_world *w = tumble_world_make(&o);
+    tumble_plane_add(w, tumble_v(0, 1, 0), 0, -1);
     return w;
 }
 
@@ -78,10 +79,11 @@ static tumble_world *begin(double sleep_speed)
 // Boxes of 1 kg in stacks of ten.
 static void add_stacks(tumble_world *w, int n)
 {
-    tumble_shape box = tumble_box(w, tumble_v(0.5, 0.5, 0.5), 1);
+    tumble_shape box = tumble_shape_box(w, tumble_v(0.5, 0.5, 0.5), 1);
     for (int i = 0; i < n; i++)
-        tumble_add(w, box, tumble_at(i / 10 % 10, 0.25 + 0.5 * (i % 10),
-                                     i / 100));
+        tumble_body_add(w, box,
+                        tumble_body_at(i / 10 % 10, 0.25 + 0.5 * (i % 10),
+                                       i / 100));
 }
 
 typedef enum { CHAIN, HEAVY, SPIN, CLOTH, HARD } hard_kind;
@@ -93,33 +95,37 @@ static const char *const HARD_NAME[] = {
 // Far from the stacks.
 static void add_hard(tumble_world *w, hard_kind kind)
 {
-    tumble_body last = tumble_ground();
+    tumble_body last = tumble_body_ground();
     tumble_vec3 at = { -20, 8, 0 };
     if (kind == CHAIN) {
-        tumble_shape link = tumble_box(w, tumble_v(0.4, 0.1, 0.1), 1);
+        tumble_shape link = tumble_shape_box(w, tumble_v(0.4, 0.1, 0.1), 1);
         for (int i = 0; i < 10; i++, at.x += 0.4) {
-            tumble_body b = tumble_add(w, link, tumble_at(at.x + 0.2, at.y, 0));
-            tumble_ball(w, last, b, at);
+            tumble_body b =
+                tumble_body_add(w, link, tumble_body_at(at.x + 0.2, at.y, 0));
+            tumble_joint_ball(w, last, b, at);
             last = b;
         }
-        tumble_ball(w, last, tumble_add(w, tumble_sphere(w, 0.4, 100),
-                                        tumble_at(at.x + 0.4, at.y, 0)), at);
+        tumble_joint_ball(w, last,
+                          tumble_body_add(w, tumble_shape_sphere(w, 0.4, 100),
+                                          tumble_body_at(at.x + 0.4, at.y, 0)),
+                          at);
     } else if (kind == HEAVY) {
-        tumble_add(w, tumble_box(w, tumble_v(0.5, 0.5, 0.5), 1),
-                   tumble_at(-20, 0.25, 0));
-        tumble_add(w, tumble_box(w, tumble_v(0.5, 0.5, 0.5), 1000),
-                   tumble_at(-20, 0.75, 0));
+        tumble_body_add(w, tumble_shape_box(w, tumble_v(0.5, 0.5, 0.5), 1),
+                        tumble_body_at(-20, 0.25, 0));
+        tumble_body_add(w, tumble_shape_box(w, tumble_v(0.5, 0.5, 0.5), 1000),
+                        tumble_body_at(-20, 0.75, 0));
     } else if (kind == SPIN) {
-        tumble_body_options o = tumble_at(-20, 8, 0);
+        tumble_body_options o = tumble_body_at(-20, 8, 0);
         o.spin = tumble_v(30, 90, 30);
-        tumble_shape rod = tumble_box(w, tumble_v(1, 0.2, 0.4), 1);
-        tumble_body b = tumble_add(w, rod, o);
-        tumble_ball(w, tumble_ground(), b, tumble_v(-20, 7, 0));
+        tumble_shape rod = tumble_shape_box(w, tumble_v(1, 0.2, 0.4), 1);
+        tumble_body b = tumble_body_add(w, rod, o);
+        tumble_joint_ball(w, tumble_body_ground(), b, tumble_v(-20, 7, 0));
     } else {
-        tumble_body b = tumble_add(w, tumble_cloth(w, 16, 16, 2, 2, 0.4),
-                                   tumble_at(-20, 8, 0));
-        tumble_pin(w, b, 0);
-        tumble_pin(w, b, 15);
+        tumble_body b =
+            tumble_body_add(w, tumble_shape_cloth(w, 16, 16, 2, 2, 0.4),
+                            tumble_body_at(-20, 8, 0));
+        tumble_body_pin(w, b, 0);
+        tumble_body_pin(w, b, 15);
     }
 }
 
@@ -139,7 +145,7 @@ static void beside(hard_report *r, int fast)
                 if (i != 1) add_stacks(w[i], n);
                 if (i != 0) add_hard(w[i], kind);
                 for (int step = 0; step < (sleeps ? 120 : 20); step++)
-                    tumble_step(w[i]);
+                    tumble_world_step(w[i]);
             }
             cost c = measure(w, 3, fast ? 20 : 60);
             ratio[sleeps] = c.seconds[2] / (c.seconds[0] + c.seconds[1]);
@@ -150,7 +156,7 @@ static void beside(hard_report *r, int fast)
                              "%.0f, together %.0f", n, HARD_NAME[kind],
                              substeps[sleeps][0], substeps[sleeps][1],
                              substeps[sleeps][2]);
-            for (int i = 0; i < 3; i++) tumble_free(w[i]);
+            for (int i = 0; i < 3; i++) tumble_world_free(w[i]);
         }
     }
     family_add(r, &times, "x", "both in one world, of the two apart");
@@ -164,19 +170,20 @@ static void beside(hard_report *r, int fast)
 static tumble_world *town(int boxes, int balls)
 {
     tumble_world *w = begin(tumble_options_default().sleep_speed);
-    tumble_shape box = tumble_box(w, tumble_v(0.5, 0.5, 0.5), 1);
-    tumble_shape ball = tumble_sphere(w, 0.3, 1);
+    tumble_shape box = tumble_shape_box(w, tumble_v(0.5, 0.5, 0.5), 1);
+    tumble_shape ball = tumble_shape_sphere(w, 0.3, 1);
     for (int i = 0; i < boxes; i++) {
-        tumble_body b = tumble_add(w, box, tumble_at(i / 2 % 50,
-                                                     0.25 + 0.5 * (i % 2),
-                                                     i / 100));
-        tumble_sleep(w, b);
+        tumble_body b =
+            tumble_body_add(w, box, tumble_body_at(i / 2 % 50,
+                                                   0.25 + 0.5 * (i % 2),
+                                                   i / 100));
+        tumble_body_sleep(w, b);
     }
     for (int i = 0; i < balls; i++) {
-        tumble_body_options o = tumble_at(2 * i, 0.3, -5);
+        tumble_body_options o = tumble_body_at(2 * i, 0.3, -5);
         o.velocity = tumble_v(0, 0, -2);
         o.spin = tumble_v(-2 / 0.3, 0, 0);
-        tumble_add(w, ball, o);
+        tumble_body_add(w, ball, o);
     }
     return w;
 }
@@ -189,13 +196,13 @@ static void sleepers(hard_report *r, int fast)
         tumble_world *w[2] = { town(boxes[k], 10), town(0, 10) };
         // The first step is that of worlds just made.
         for (int i = 0; i < 2; i++)
-            for (int n = 0; n < 5; n++) tumble_step(w[i]);
+            for (int n = 0; n < 5; n++) tumble_world_step(w[i]);
         cost c = measure(w, 2, fast ? 20 : 100);
         if (family_ok(r, w[0]))
             family_trial(&times, c.seconds[0] / c.seconds[1],
                          "%d boxes, %d asleep", boxes[k],
-                         tumble_last_step(w[0]).asleep);
-        for (int i = 0; i < 2; i++) tumble_free(w[i]);
+                         tumble_world_last_step(w[0]).asleep);
+        for (int i = 0; i < 2; i++) tumble_world_free(w[i]);
     }
     family_add(r, &times, "x", "10 rolling balls and sleepers, of 10 alone");
 }
@@ -214,19 +221,20 @@ static double time_making(int worlds, int n, int joined)
 #endif
     for (int k = 0; k < worlds; k++) {
         w[k] = begin(0);
-        tumble_shape box = tumble_box(w[k], tumble_v(0.5, 0.5, 0.5), 1);
-        tumble_body before = tumble_ground();
+        tumble_shape box = tumble_shape_box(w[k], tumble_v(0.5, 0.5, 0.5), 1);
+        tumble_body before = tumble_body_ground();
         double start = clock_now();
         for (int i = 0; i < n; i++) {
             double x = i % 100, z = i / 100;
-            tumble_body b = tumble_add(w[k], box, tumble_at(x, 1, z));
-            if (joined) tumble_ball(w[k], i % 2 ? before : tumble_ground(), b,
-                                    tumble_v(x, 1, z));
+            tumble_body b = tumble_body_add(w[k], box, tumble_body_at(x, 1, z));
+            if (joined)
+                tumble_joint_ball(w[k], i % 2 ? before : tumble_body_ground(),
+                                  b, tumble_v(x, 1, z));
             before = b;
         }
         took += clock_now() - start;
     }
-    for (int k = 0; k < worlds; k++) tumble_free(w[k]);
+    for (int k = 0; k < worlds; k++) tumble_world_free(w[k]);
     return took;
 }
 
@@ -256,20 +264,22 @@ static void making(hard_report *r, int fast)
 static tumble_world *groups(int kind, int n)
 {
     tumble_world *w = begin(0);
-    tumble_shape box = tumble_box(w, tumble_v(0.5, 0.5, 0.5), 1);
-    tumble_shape cloth = kind == 2 ? tumble_cloth(w, 10, 10, 1, 1, 0.2) : box;
+    tumble_shape box = tumble_shape_box(w, tumble_v(0.5, 0.5, 0.5), 1);
+    tumble_shape cloth =
+        kind == 2 ? tumble_shape_cloth(w, 10, 10, 1, 1, 0.2) : box;
     for (int i = 0; i < n; i++) {
         double x = 3 * (i % 10), z = 3 * (i / 10);
-        tumble_body before = tumble_ground();
+        tumble_body before = tumble_body_ground();
         if (kind == 2) {
-            tumble_body b = tumble_add(w, cloth, tumble_at(x, 3, z));
-            tumble_pin(w, b, 0);
-            tumble_pin(w, b, 9);
+            tumble_body b = tumble_body_add(w, cloth, tumble_body_at(x, 3, z));
+            tumble_body_pin(w, b, 0);
+            tumble_body_pin(w, b, 9);
         }
         for (int k = 0; k < 5 && kind < 2; k++) {
             double y = kind ? 8 - 0.6 * k : 0.25 + 0.5 * k;
-            tumble_body b = tumble_add(w, box, tumble_at(x, y, z));
-            if (kind) tumble_ball(w, before, b, tumble_v(x, y + 0.3, z + 0.1));
+            tumble_body b = tumble_body_add(w, box, tumble_body_at(x, y, z));
+            if (kind)
+                tumble_joint_ball(w, before, b, tumble_v(x, y + 0.3, z + 0.1));
             before = b;
         }
     }
@@ -284,12 +294,12 @@ static void more_of_it(hard_report *r, int fast)
         int few = kind == 2 ? 4 : 20, more = fast ? 2 : 10;
         tumble_world *w[2] = { groups(kind, few), groups(kind, more * few) };
         for (int i = 0; i < 2; i++)
-            for (int n = 0; n < 10; n++) tumble_step(w[i]);
+            for (int n = 0; n < 10; n++) tumble_world_step(w[i]);
         cost c = measure(w, 2, fast ? 20 : 60);
         if (family_ok(r, w[1]))
             family_trial(&times, c.seconds[1] / (more * c.seconds[0]),
                          "%d against %d %s", more * few, few, name[kind]);
-        for (int i = 0; i < 2; i++) tumble_free(w[i]);
+        for (int i = 0; i < 2; i++) tumble_world_free(w[i]);
     }
     family_add(r, &times, "x", "ten times as many groups, of ten times one");
 }

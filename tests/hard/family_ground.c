@@ -16,12 +16,12 @@ enum { SHARES = 4, STEPS = 3 };
 // A kinematic plate whose top is y = 0 where it begins.
 static tumble_body add_plate(tumble_world *w, double width, tumble_quat q)
 {
-    tumble_body_options o = tumble_at(0, 0, 0);
+    tumble_body_options o = tumble_body_at(0, 0, 0);
     o.kind = TUMBLE_KINEMATIC;
     o.pose.position = v_turn(q, tumble_v(0, -width / 20, 0));
     o.pose.rotation = q;
     tumble_vec3 sides = { width, width / 10, width };
-    return tumble_add(w, tumble_box(w, sides, 1), o);
+    return tumble_body_add(w, tumble_shape_box(w, sides, 1), o);
 }
 
 // A low box that stands on the plate at x, in the plate's axes.
@@ -29,24 +29,24 @@ static tumble_body add_rider(tumble_world *w, double x, double size,
                              tumble_quat q, tumble_vec3 velocity,
                              tumble_vec3 spin)
 {
-    tumble_shape s = tumble_box(w, tumble_v(size, size / 2, size),
-                                1000 * size * size * size);
-    tumble_body_options o = tumble_at(0, 0, 0);
+    tumble_shape s = tumble_shape_box(w, tumble_v(size, size / 2, size),
+                                      1000 * size * size * size);
+    tumble_body_options o = tumble_body_at(0, 0, 0);
     o.pose.position = v_turn(q, tumble_v(x, size / 4, 0));
     o.pose.rotation = q;
     o.velocity = velocity;
     o.spin = spin;
-    return tumble_add(w, s, o);
+    return tumble_body_add(w, s, o);
 }
 
 // Where is b, in the axes of the plate?
 static tumble_vec3 seen_from(const tumble_world *w, tumble_body plate,
                              tumble_body b)
 {
-    tumble_pose p = tumble_get_pose(w, plate);
+    tumble_pose p = tumble_body_pose(w, plate);
     tumble_quat back = { -p.rotation.x, -p.rotation.y, -p.rotation.z,
                          p.rotation.w };
-    return v_turn(back, v_sub(tumble_position(w, b), p.position));
+    return v_turn(back, v_sub(tumble_body_position(w, b), p.position));
 }
 
 static double crept(const tumble_world *w, tumble_body plate, tumble_body b,
@@ -63,19 +63,19 @@ static double ride_turntable(hard_report *r, double radius, double size,
                              double mu, double part, double step)
 {
     tumble_options o = family_options(step, mu);
-    tumble_world *w = tumble_make(&o);
+    tumble_world *w = tumble_world_make(&o);
     double omega = sqrt(part * mu * FAMILY_G / radius);
     tumble_quat level = { 0, 0, 0, 1 };
     tumble_body plate = add_plate(w, 3 * radius + 4 * size, level);
     tumble_vec3 spin = { 0, omega, 0 };
-    tumble_set_velocity(w, plate, tumble_v(0, 0, 0), spin);
+    tumble_body_set_velocity(w, plate, tumble_v(0, 0, 0), spin);
     tumble_body b = add_rider(w, radius, size, level,
                               tumble_v(0, 0, -omega * radius), spin);
     tumble_vec3 at = seen_from(w, plate, b);
     family_run(w, 10);
     double creep = crept(w, plate, b, at);
     family_ok(r, w);
-    tumble_free(w);
+    tumble_world_free(w);
     return creep;
 }
 
@@ -129,7 +129,7 @@ static double ride_circle(hard_report *r, double radius, double size,
                           double mu, double part, double step)
 {
     tumble_options o = family_options(step, mu);
-    tumble_world *w = tumble_make(&o);
+    tumble_world *w = tumble_world_make(&o);
     double omega = sqrt(part * mu * FAMILY_G / radius);
     tumble_quat level = { 0, 0, 0, 1 };
     tumble_vec3 still = { 0, 0, 0 }, now = chord(radius, omega, step, 0);
@@ -142,14 +142,14 @@ static double ride_circle(hard_report *r, double radius, double size,
         tumble_vec3 jump = v_sub(next, now);
         double slip = v_length(jump) / (2 * mu * FAMILY_G);
         slips = v_sub(slips, v_scale(slip, jump));
-        tumble_set_velocity(w, plate, next, still);
-        tumble_step(w);
+        tumble_body_set_velocity(w, plate, next, still);
+        tumble_world_step(w);
         now = next;
     }
     tumble_vec3 crept_by = v_sub(seen_from(w, plate, b), at);
     double creep = off_segment(crept_by, slips);
     family_ok(r, w);
-    tumble_free(w);
+    tumble_world_free(w);
     return creep;
 }
 
@@ -176,8 +176,8 @@ static void ride_lift(hard_report *r, family_worst *creep, family_worst *deep,
 {
     const double mu = 0.5, size = 0.2;
     tumble_options o = family_options(step, mu);
-    tumble_world *w = tumble_make(&o);
-    tumble_quat q = tumble_turn(tumble_v(0, 0, 1), atan(part * mu));
+    tumble_world *w = tumble_world_make(&o);
+    tumble_quat q = tumble_quat_turn(tumble_v(0, 0, 1), atan(part * mu));
     double omega = 0.5 * FAMILY_G / speed;
     tumble_body plate = add_plate(w, 10 * size, q);
     tumble_vec3 start = { 0, speed, 0 };
@@ -188,9 +188,10 @@ static void ride_lift(hard_report *r, family_worst *creep, family_worst *deep,
     for (int n = 0; n < steps; n++) {
         double from = sin(omega * n * step), to = sin(omega * (n + 1) * step);
         double now = swings ? speed * (to - from) / (omega * step) : speed;
-        tumble_set_velocity(w, plate, tumble_v(0, now, 0), tumble_v(0, 0, 0));
-        tumble_step(w);
-        deepest = hard_worse(deepest, tumble_measure(w).penetration);
+        tumble_body_set_velocity(w, plate, tumble_v(0, now, 0),
+                                 tumble_v(0, 0, 0));
+        tumble_world_step(w);
+        deepest = hard_worse(deepest, tumble_world_measure(w).penetration);
     }
 #define HERE "%s %g m/s, slope of %g of friction, dt 1/%.0f", \
     swings ? "swings at" : "goes up at", speed, part, 1 / step
@@ -198,7 +199,7 @@ static void ride_lift(hard_report *r, family_worst *creep, family_worst *deep,
     family_trial(deep, deepest / size, HERE);
 #undef HERE
     family_ok(r, w);
-    tumble_free(w);
+    tumble_world_free(w);
 }
 
 static void lift(hard_report *r, int fast)
@@ -225,12 +226,13 @@ static void board(hard_report *r, family_worst *slip, double speed, double mu,
                   double step)
 {
     tumble_options o = family_options(step, mu);
-    tumble_world *w = tumble_make(&o);
+    tumble_world *w = tumble_world_make(&o);
     tumble_quat level = { 0, 0, 0, 1 };
     double ideal = speed * speed / (2 * mu * FAMILY_G);
     double lasts = speed / (mu * FAMILY_G);
     tumble_body plate = add_plate(w, 4 * ideal + 4, level);
-    tumble_set_velocity(w, plate, tumble_v(speed, 0, 0), tumble_v(0, 0, 0));
+    tumble_body_set_velocity(w, plate, tumble_v(speed, 0, 0),
+                             tumble_v(0, 0, 0));
     tumble_body b = add_rider(w, 0, 0.2, level, tumble_v(0, 0, 0),
                               tumble_v(0, 0, 0));
     tumble_vec3 at = seen_from(w, plate, b);
@@ -238,7 +240,7 @@ static void board(hard_report *r, family_worst *slip, double speed, double mu,
     family_trial(slip, fabs(crept(w, plate, b, at) / ideal - 1),
                  "%g m/s, mu %g, dt 1/%.0f", speed, mu, 1 / step);
     family_ok(r, w);
-    tumble_free(w);
+    tumble_world_free(w);
 }
 
 static void boarding(hard_report *r, int fast)
@@ -261,20 +263,20 @@ static void roll_in_lift(hard_report *r, family_worst *rolls, double lifting,
 {
     const double mu = 0.5, a = 0.25;
     tumble_options o = family_options(step, mu);
-    tumble_world *w = tumble_make(&o);
+    tumble_world *w = tumble_world_make(&o);
     tumble_quat level = { 0, 0, 0, 1 };
     tumble_body floor = add_plate(w, 40, level);
     tumble_vec3 moves = { along, lifting, 0 }, still = { 0, 0, 0 };
-    tumble_set_velocity(w, floor, moves, still);
-    tumble_body_options b = tumble_at(0, a, 0);
+    tumble_body_set_velocity(w, floor, moves, still);
+    tumble_body_options b = tumble_body_at(0, a, 0);
     b.velocity = v_add(moves, tumble_v(0, 0, speed));
-    tumble_body ball = tumble_add(w, tumble_sphere(w, a, 1), b);
+    tumble_body ball = tumble_body_add(w, tumble_shape_sphere(w, a, 1), b);
     family_run(w, 4 * speed / (7 * mu * FAMILY_G) + 10 * step);
-    double now = tumble_velocity(w, ball).z;
+    double now = tumble_body_velocity(w, ball).z;
     family_trial(rolls, fabs(now / speed * 7 / 5 - 1), "%g m/s up, %g along, "
                  "ball at %g m/s, dt 1/%.0f", lifting, along, speed, 1 / step);
     family_ok(r, w);
-    tumble_free(w);
+    tumble_world_free(w);
 }
 
 static void ball_in_lift(hard_report *r, int fast)

@@ -14,19 +14,19 @@ static tumble_world *weightless(double step, double friction, double e)
     tumble_options o = family_options(step, friction);
     o.gravity = tumble_v(0, 0, 0);
     o.restitution = e;
-    return tumble_make(&o);
+    return tumble_world_make(&o);
 }
 
 // ---- 125 and 126: restitution 1 --------------------------------------------
 
 static void add_walls(tumble_world *w, double half, int lid)
 {
-    tumble_add_plane(w, tumble_v(0, 1, 0), 0, -1);
-    tumble_add_plane(w, tumble_v(1, 0, 0), -half, -1);
-    tumble_add_plane(w, tumble_v(-1, 0, 0), -half, -1);
-    tumble_add_plane(w, tumble_v(0, 0, 1), -half, -1);
-    tumble_add_plane(w, tumble_v(0, 0, -1), -half, -1);
-    if (lid) tumble_add_plane(w, tumble_v(0, -1, 0), -2 * half, -1);
+    tumble_plane_add(w, tumble_v(0, 1, 0), 0, -1);
+    tumble_plane_add(w, tumble_v(1, 0, 0), -half, -1);
+    tumble_plane_add(w, tumble_v(-1, 0, 0), -half, -1);
+    tumble_plane_add(w, tumble_v(0, 0, 1), -half, -1);
+    tumble_plane_add(w, tumble_v(0, 0, -1), -half, -1);
+    if (lid) tumble_plane_add(w, tumble_v(0, -1, 0), -2 * half, -1);
 }
 
 // n bodies of this size in layers of 3 x 3, a size and a half apart, thrown in
@@ -35,15 +35,16 @@ static void fill(tumble_world *w, int n, int cubes, double size, int dropped,
                  family_seed *s)
 {
     double mass = 1000 * size * size * size, speed = 2 * sqrt(size * FAMILY_G);
-    tumble_shape shape = cubes ? tumble_box(w, tumble_v(size, size, size), mass)
-                               : tumble_sphere(w, size / 2, mass);
+    tumble_shape shape =
+        cubes ? tumble_shape_box(w, tumble_v(size, size, size), mass)
+              : tumble_shape_sphere(w, size / 2, mass);
     for (int i = 0; i < n; i++) {
         double x = i % 3 - 1, z = i / 3 % 3 - 1, y = 1 + i / 9;
-        tumble_body_options o = tumble_at(1.9 * size * x, 1.9 * size * y,
-                                          1.9 * size * z);
+        tumble_body_options o = tumble_body_at(1.9 * size * x, 1.9 * size * y,
+                                               1.9 * size * z);
         if (cubes) o.pose.rotation = family_rotation(s);
         if (i > 0 || !dropped) o.velocity = v_scale(speed, family_direction(s));
-        tumble_add(w, shape, o);
+        tumble_body_add(w, shape, o);
     }
 }
 
@@ -54,7 +55,7 @@ static void bounce(hard_report *r, family_worst *energy, int n, int cubes,
     o.gravity = tumble_v(0, -gravity, 0);
     o.restitution = 1;
     o.sleep_speed = 0;
-    tumble_world *w = tumble_make(&o);
+    tumble_world *w = tumble_world_make(&o);
     add_walls(w, 3.5 * size, gravity == 0);
     fill(w, n, cubes, size, gravity > 0, s);
     double before = family_energy(w), worst = 0;
@@ -66,7 +67,7 @@ static void bounce(hard_report *r, family_worst *energy, int n, int cubes,
     family_trial(energy, worst, "%d %s of %g m, dt 1/%.0f", n,
                  cubes ? "cubes" : "balls", size, 1 / step);
     family_ok(r, w);
-    tumble_free(w);
+    tumble_world_free(w);
 }
 
 static void elastic(hard_report *r, double gravity, int fast)
@@ -113,23 +114,24 @@ static void meet(hard_report *r, family_worst *off, double step, family_seed *s)
     double past = family_between(s, 0, 0.9) * (a + b);
     double start = a + b + speed * step * family_between(s, 1, 4);
     tumble_vec3 x = v_turn(q, tumble_v(-start, past, 0));
-    tumble_body_options o = tumble_at(0, 0, 0), p = tumble_at(x.x, x.y, x.z);
+    tumble_body_options o = tumble_body_at(0, 0, 0),
+                        p = tumble_body_at(x.x, x.y, x.z);
     p.velocity = v_turn(q, tumble_v(speed, 0, 0));
-    tumble_body first = tumble_add(w, tumble_sphere(w, a, ma), o);
-    tumble_body second = tumble_add(w, tumble_sphere(w, b, mb), p);
+    tumble_body first = tumble_body_add(w, tumble_shape_sphere(w, a, ma), o);
+    tumble_body second = tumble_body_add(w, tumble_shape_sphere(w, b, mb), p);
     family_run(w, 2 * start / speed + 2 * step);
     double sine = past / (a + b), cosine = sqrt(1 - sine * sine);
     tumble_vec3 n = v_turn(q, tumble_v(cosine, -sine, 0));
     tumble_vec3 given = v_scale((1 + e) * mb / (ma + mb) * speed * cosine, n);
     tumble_vec3 taken = v_scale(-ma / mb, given);
-    double error = v_distance(tumble_velocity(w, first), given)
-                 + v_distance(tumble_velocity(w, second),
+    double error = v_distance(tumble_body_velocity(w, first), given)
+                 + v_distance(tumble_body_velocity(w, second),
                               v_add(p.velocity, taken));
     family_trial(off, error / speed, "e %.2f, past by %.2f of a + b, %.2g "
                  "sizes a step, dt 1/%.0f", e, sine, speed * step / size,
                  1 / step);
     family_ok(r, w);
-    tumble_free(w);
+    tumble_world_free(w);
 }
 
 static void two_balls(hard_report *r, int fast)
@@ -154,26 +156,26 @@ static void strike(hard_report *r, family_worst *off, double step,
     double along = family_between(s, -10, 10);
     double spin = family_between(s, -10, 10) / a;
     tumble_world *w = weightless(step, mu, e);
-    tumble_add_plane(w, tumble_v(0, 1, 0), 0, -1);
+    tumble_plane_add(w, tumble_v(0, 1, 0), 0, -1);
     double high = a + down * step * family_between(s, 1, 3);
-    tumble_body_options o = tumble_at(0, high, 0);
+    tumble_body_options o = tumble_body_at(0, high, 0);
     o.velocity = tumble_v(along, -down, 0);
     o.spin = tumble_v(0, 0, spin);
-    tumble_body b = tumble_add(w, tumble_sphere(w, a, 1), o);
+    tumble_body b = tumble_body_add(w, tumble_shape_sphere(w, a, 1), o);
     family_run(w, high / down + step);
     double slip = along + spin * a;
     double push = fmin(mu * (1 + e) * down, 2 / 7.0 * fabs(slip));
     push *= slip > 0 ? -1 : 1;
     tumble_vec3 v = { along + push, e * down, 0 };
     double turns = spin + push / (0.4 * a);
-    double error = v_distance(tumble_velocity(w, b), v)
-                 + a * fabs(tumble_spin(w, b).z - turns);
+    double error = v_distance(tumble_body_velocity(w, b), v)
+                 + a * fabs(tumble_body_spin(w, b).z - turns);
     double speed = fabs(along) + down + fabs(spin * a);
     family_trial(off, error / speed, "e %.2f, mu %.2f, radius %.3f m, "
                  "down %.1f, along %.1f m/s, dt 1/%.0f", e, mu, a, down, along,
                  1 / step);
     family_ok(r, w);
-    tumble_free(w);
+    tumble_world_free(w);
 }
 
 static void spin_and_strike(hard_report *r, int fast)
@@ -199,24 +201,25 @@ static void sweep(hard_report *r, family_worst *missed, int free_blade,
     double away = family_between(s, 0.4, 0.95);
     double angle = family_between(s, 0.15 * FAMILY_PI, 0.85 * FAMILY_PI);
     tumble_world *w = weightless(step, 0.3, 0);
-    tumble_body_options o = tumble_at(0, 0, 0);
+    tumble_body_options o = tumble_body_at(0, 0, 0);
     o.kind = free_blade ? TUMBLE_DYNAMIC : TUMBLE_KINEMATIC;
     o.spin = tumble_v(0, spin, 0);
-    tumble_shape blade = tumble_box(w, tumble_v(2, 0.2, thick), 1000);
+    tumble_shape blade = tumble_shape_box(w, tumble_v(2, 0.2, thick), 1000);
     if (family_random(s) < 0.25) {      // a round bar
-        blade = tumble_capsule(w, 2, thick, 1000);
-        o.pose.rotation = tumble_turn(tumble_v(0, 0, 1), FAMILY_PI / 2);
+        blade = tumble_shape_capsule(w, 2, thick, 1000);
+        o.pose.rotation = tumble_quat_turn(tumble_v(0, 0, 1), FAMILY_PI / 2);
     }
-    tumble_add(w, blade, o);
-    tumble_body_options p = tumble_at(away * cos(angle), 0, away * sin(angle));
-    tumble_body ball = tumble_add(w, tumble_sphere(w, a, 0.01), p);
+    tumble_body_add(w, blade, o);
+    tumble_body_options p = tumble_body_at(away * cos(angle), 0,
+                                           away * sin(angle));
+    tumble_body ball = tumble_body_add(w, tumble_shape_sphere(w, a, 0.01), p);
     // Half a turn brings one of its two ends there.
     family_run(w, FAMILY_PI / fabs(spin) + step);
-    int hit = v_length(tumble_velocity(w, ball)) > 0;
+    int hit = v_length(tumble_body_velocity(w, ball)) > 0;
     family_trial(missed, !hit, "%.0f rad/s, %.3f m thick, ball of %.3f m at "
                  "%.2f m, dt 1/%.0f", fabs(spin), thick, a, away, 1 / step);
     family_ok(r, w);
-    tumble_free(w);
+    tumble_world_free(w);
 }
 
 static void sweeps(hard_report *r, int free_blade, int fast)
@@ -252,23 +255,24 @@ static void shoot(hard_report *r, family_worst *through, double step,
     double slant = family_between(s, -1.2, 1.2);
     int is_free = family_random(s) < 0.75;
     tumble_world *w = weightless(step, 0.3, family_random(s) < 0.5 ? 0 : 0.5);
-    tumble_body_options o = tumble_at(0, 0, 0), p = tumble_at(0, 0, 0);
+    tumble_body_options o = tumble_body_at(0, 0, 0),
+                        p = tumble_body_at(0, 0, 0);
     o.kind = is_free ? TUMBLE_DYNAMIC : TUMBLE_STATIC;
-    tumble_shape sheet = tumble_box(w, tumble_v(3, thick, 3), 20);
-    tumble_body plate = tumble_add(w, sheet, o);
+    tumble_shape sheet = tumble_shape_box(w, tumble_v(3, thick, 3), 20);
+    tumble_body plate = tumble_body_add(w, sheet, o);
     p.velocity = tumble_v(speed * sin(slant), -speed * cos(slant), 0);
     tumble_vec3 aim = { family_between(s, -0.5, 0.5), thick / 2 + a,
                         family_between(s, -0.5, 0.5) };
     p.pose.position = v_add(aim, v_scale(-1.7 * step, p.velocity));
-    tumble_body ball = tumble_add(w, tumble_sphere(w, a, 0.05), p);
+    tumble_body ball = tumble_body_add(w, tumble_shape_sphere(w, a, 0.05), p);
     int lost = 0;
     // It may leave over the rim, and is then no longer judged.
     for (int n = 0; n < 60 && !lost; n++) {
-        tumble_step(w);
-        tumble_pose q = tumble_get_pose(w, plate);
+        tumble_world_step(w);
+        tumble_pose q = tumble_body_pose(w, plate);
         tumble_quat back = { -q.rotation.x, -q.rotation.y, -q.rotation.z,
                              q.rotation.w };
-        tumble_vec3 x = tumble_position(w, ball);
+        tumble_vec3 x = tumble_body_position(w, ball);
         x = v_turn(back, v_sub(x, q.position));
         if (fabs(x.x) > 1.5 || fabs(x.z) > 1.5) { if (n > 3) break; }
         else lost = x.y < 0;
@@ -277,7 +281,7 @@ static void shoot(hard_report *r, family_worst *through, double step,
                  "%.3f m, dt 1/%.0f", is_free ? "free" : "static", 1e3 * thick,
                  speed, a, 1 / step);
     family_ok(r, w);
-    tumble_free(w);
+    tumble_world_free(w);
 }
 
 static void thin_plates(hard_report *r, int fast)
@@ -301,22 +305,22 @@ static void part_from(hard_report *r, family_worst *f, family_seed *seed, int n,
 {
     const double out = 3;       // m/s
     tumble_world *w = weightless(step, 0.5, 0);
-    tumble_shape s = round ? tumble_sphere(w, 0.5, 1)
-                           : tumble_box(w, tumble_v(1, 1, 1), 1);
+    tumble_shape s = round ? tumble_shape_sphere(w, 0.5, 1)
+                           : tumble_shape_box(w, tumble_v(1, 1, 1), 1);
     for (int i = 0; i < n; i++) {
         tumble_vec3 at = v_scale(jitter, family_direction(seed));
-        tumble_add(w, s, tumble_at(at.x, at.y, at.z));
+        tumble_body_add(w, s, tumble_body_at(at.x, at.y, at.z));
     }
     double speed = 0;
     for (double time = 0; time < 5; time += step) {
-        tumble_step(w);
-        double energy = tumble_measure(w).kinetic;
+        tumble_world_step(w);
+        double energy = tumble_world_measure(w).kinetic;
         speed = hard_worse(speed, sqrt(2 * energy / n));
     }
     family_trial(f, speed / out, "%d %s, %g m apart, dt 1/%.0f", n,
                  round ? "balls" : "cubes", jitter, 1 / step);
     family_ok(r, w);
-    tumble_free(w);
+    tumble_world_free(w);
 }
 
 static void coincident(hard_report *r, int fast)

@@ -2,8 +2,8 @@
 //
 // Gaps are taken from poses: where does each of two bodies hold the point at
 // which they were joined?  Energies are made of poses, velocities and spins,
-// with each body's own inertia: tumble_measure's are a part of a substep behind
-// where joints pull, which row 164 measures.
+// with each body's own inertia: tumble_world_measure's are a part of a substep
+// behind where joints pull, which row 164 measures.
 
 #include "family.h"
 
@@ -30,16 +30,16 @@ static tumble_vec3 turn_back(tumble_quat q, tumble_vec3 a)
 static held hold(const tumble_world *w, tumble_body b, tumble_vec3 at)
 {
     held h = { b, at };
-    tumble_pose p = tumble_get_pose(w, b);
-    if (tumble_has(w, b))
+    tumble_pose p = tumble_body_pose(w, b);
+    if (tumble_body_exists(w, b))
         h.local = turn_back(p.rotation, v_sub(at, p.position));
     return h;
 }
 
 static tumble_vec3 where_held(const tumble_world *w, held h)
 {
-    if (!tumble_has(w, h.body)) return h.local;
-    tumble_pose p = tumble_get_pose(w, h.body);
+    if (!tumble_body_exists(w, h.body)) return h.local;
+    tumble_pose p = tumble_body_pose(w, h.body);
     return v_add(p.position, v_turn(p.rotation, h.local));
 }
 
@@ -81,10 +81,10 @@ static double kinetic(const tumble_world *w, const linkage *l)
 {
     double sum = 0;
     for (int k = 0; k < l->bodies; k++) {
-        tumble_vec3 v = tumble_velocity(w, l->body[k]), i = l->inertia[k];
-        tumble_quat q = tumble_get_pose(w, l->body[k]).rotation;
-        tumble_vec3 spin = turn_back(q, tumble_spin(w, l->body[k]));
-        sum += tumble_mass(w, l->body[k]) * v_dot(v, v) / 2
+        tumble_vec3 v = tumble_body_velocity(w, l->body[k]), i = l->inertia[k];
+        tumble_quat q = tumble_body_pose(w, l->body[k]).rotation;
+        tumble_vec3 spin = turn_back(q, tumble_body_spin(w, l->body[k]));
+        sum += tumble_body_mass(w, l->body[k]) * v_dot(v, v) / 2
              + (i.x * spin.x * spin.x + i.y * spin.y * spin.y
                 + i.z * spin.z * spin.z) / 2;
     }
@@ -95,8 +95,8 @@ static double potential(const tumble_world *w, const linkage *l)
 {
     double sum = 0;
     for (int k = 0; k < l->bodies; k++)
-        sum += tumble_mass(w, l->body[k]) * FAMILY_G
-             * tumble_position(w, l->body[k]).y;
+        sum += tumble_body_mass(w, l->body[k]) * FAMILY_G
+             * tumble_body_position(w, l->body[k]).y;
     return sum;
 }
 
@@ -112,13 +112,13 @@ static void keep_joint(tumble_world *w, linkage *l, tumble_joint j,
 static void join(tumble_world *w, linkage *l, tumble_body a, tumble_body b,
                  tumble_vec3 at)
 {
-    keep_joint(w, l, tumble_ball(w, a, b, at), a, b, at);
+    keep_joint(w, l, tumble_joint_ball(w, a, b, at), a, b, at);
 }
 
 static void hinge(tumble_world *w, linkage *l, tumble_body a, tumble_body b,
                   tumble_vec3 at, tumble_vec3 axis)
 {
-    keep_joint(w, l, tumble_hinge(w, a, b, at, axis), a, b, at);
+    keep_joint(w, l, tumble_joint_hinge(w, a, b, at, axis), a, b, at);
 }
 
 // m, the widest of all joints.
@@ -136,7 +136,7 @@ typedef struct {
     double gap;         // m
     double off;         // J, the largest |energy - what it was|
     double gain;        // J, the largest rise above an earlier energy
-    double belied;      // J, the largest |tumble_measure's energy - true one|
+    double belied;      // J, the largest |energy of tumble_world_measure - true|
 } course;
 
 // What is off by its whole energy (J) is lost, and is not followed further:
@@ -146,10 +146,10 @@ static course follow(tumble_world *w, const linkage *l, double dt,
 {
     course c = { 0, 0, 0, 0 };
     // In a world without gravity it measures no potential energy.
-    int falls = fabs(tumble_measure(w).potential) > 0;
+    int falls = fabs(tumble_world_measure(w).potential) > 0;
     double start = kinetic(w, l) + falls * potential(w, l), least = start;
     for (int n = (int)(seconds / dt + 0.5); n > 0; n--) {
-        tumble_step(w);
+        tumble_world_step(w);
         double now = kinetic(w, l) + falls * potential(w, l);
         c.belied = hard_worse(c.belied, fabs(now - family_energy(w)));
         c.gap = hard_worse(c.gap, widest(w, l));
@@ -164,7 +164,7 @@ static course follow(tumble_world *w, const linkage *l, double dt,
 static tumble_world *begin(double dt)
 {
     tumble_options o = family_options(dt, 0.5);
-    return tumble_make(&o);
+    return tumble_world_make(&o);
 }
 
 // ---- 160, 161: tops --------------------------------------------------------
@@ -185,7 +185,7 @@ static tumble_shape top_shape(tumble_world *w, top_kind kind, double size,
                   : kind == ROD ? tumble_v(0.4 * r, 2 * r, 0.4 * r)
                   : tumble_v(1.8 * r, 0.3 * r, r);
     *inertia = box_inertia(s, 1);
-    return tumble_box(w, s, 1);
+    return tumble_shape_box(w, s, 1);
 }
 
 typedef struct {
@@ -203,21 +203,21 @@ static top top_begin(tumble_world *w, tumble_shape shape, tumble_vec3 inertia,
 {
     top t = { .w = w, .pivot = tumble_v(0, 0, 0), .arm = size };
     tumble_vec3 axis = tumble_v(sin(lean), cos(lean), 0);
-    tumble_body_options o = tumble_at(0, 0, 0);
+    tumble_body_options o = tumble_body_at(0, 0, 0);
     o.pose.position = v_scale(t.arm, axis);
-    o.pose.rotation = tumble_turn(tumble_v(0, 0, 1), -lean);
+    o.pose.rotation = tumble_quat_turn(tumble_v(0, 0, 1), -lean);
     tumble_vec3 across = v_sub(UP, v_scale(cos(lean), axis));
     o.spin = v_add(v_scale(spin, axis), v_scale(round, across));
     o.velocity = v_cross(o.spin, o.pose.position);
-    t.body = weigh(&t.joints, tumble_add(w, shape, o), inertia);
-    join(w, &t.joints, tumble_ground(), t.body, t.pivot);
+    t.body = weigh(&t.joints, tumble_body_add(w, shape, o), inertia);
+    join(w, &t.joints, tumble_body_ground(), t.body, t.pivot);
     return t;
 }
 
 static double spin_along(const top *t)
 {
-    tumble_quat q = tumble_get_pose(t->w, t->body).rotation;
-    return v_dot(tumble_spin(t->w, t->body), v_turn(q, UP));
+    tumble_quat q = tumble_body_pose(t->w, t->body).rotation;
+    return v_dot(tumble_body_spin(t->w, t->body), v_turn(q, UP));
 }
 
 static const double SPINS[] = { 1, 3, 10, 30, 100, 300, 500 };
@@ -249,7 +249,7 @@ static void tops(hard_report *r, int fast)
                 family_trial(&spin, fabs(spin_along(&t) - w3)
                              / (w3 + sqrt(FAMILY_G / size)), "%s", at);
         }
-        tumble_free(w);
+        tumble_world_free(w);
     }
     family_add(r, &energy, "", "energy of a top that is let go, of its own");
     family_add(r, &gap, "", "gap at its point, of its size");
@@ -264,8 +264,8 @@ static double go_round(const top *t, double dt, double seconds, double lean,
     double way = 0, last = 0;
     *nod = 0;
     for (int n = (int)(seconds / dt + 0.5); n > 0; n--) {
-        tumble_step(t->w);
-        tumble_vec3 x = tumble_position(t->w, t->body);
+        tumble_world_step(t->w);
+        tumble_vec3 x = tumble_body_position(t->w, t->body);
         double now = atan2(-x.z, x.x);
         way += remainder(now - last, 2 * FAMILY_PI);
         last = now;
@@ -307,7 +307,7 @@ static void precession(hard_report *r, int fast)
             family_trial(&rate, fabs(way / (round * seconds) - 1), "%s", at);
             family_trial(&nods, nod, "%s", at);
         }
-        tumble_free(w);
+        tumble_world_free(w);
     }
     family_add(r, &rate, "", "rate of a steady precession, of itself");
     family_add(r, &nods, "rad", "lean in it");
@@ -327,21 +327,23 @@ static tumble_body wheel_begin(tumble_world *w, wheel_kind kind, double size,
 {
     tumble_vec3 axis = kind == ALONG ? tumble_v(1, 0, 0) : tumble_v(0, 0, 1);
     tumble_vec3 across = kind == ALONG ? tumble_v(0, 0, -1) : tumble_v(1, 0, 0);
-    tumble_body_options o = tumble_at(2 * size, 0, 0);
-    o.pose.rotation = tumble_turn(across, FAMILY_PI / 2);
+    tumble_body_options o = tumble_body_at(2 * size, 0, 0);
+    o.pose.rotation = tumble_quat_turn(across, FAMILY_PI / 2);
     o.spin = v_scale(spin, axis);
     tumble_shape disk = family_prism(w, 16, size, size / 4, 1);
-    tumble_body wheel = tumble_add(w, disk, o);
+    tumble_body wheel = tumble_body_add(w, disk, o);
     weigh(l, wheel, prism_inertia(16, size, size / 4, 1));
     tumble_vec3 middle = tumble_v(2 * size, 0, 0);
-    tumble_body arm = tumble_ground();
+    tumble_body arm = tumble_body_ground();
     if (kind != NAILED) {
         tumble_vec3 sides = tumble_v(2 * size, 0.2 * size, 0.2 * size);
-        arm = tumble_add(w, tumble_box(w, sides, 0.5), tumble_at(size, 0, 0));
+        arm = tumble_body_add(w, tumble_shape_box(w, sides, 0.5),
+                              tumble_body_at(size, 0, 0));
         weigh(l, arm, box_inertia(sides, 0.5));
         tumble_vec3 pivot = tumble_v(0, 0, 0);
-        if (kind == IN_PLANE) hinge(w, l, tumble_ground(), arm, pivot, axis);
-        else join(w, l, tumble_ground(), arm, pivot);
+        if (kind == IN_PLANE)
+            hinge(w, l, tumble_body_ground(), arm, pivot, axis);
+        else join(w, l, tumble_body_ground(), arm, pivot);
     }
     hinge(w, l, arm, wheel, middle, axis);
     return wheel;
@@ -367,7 +369,7 @@ static void flywheels(hard_report *r, int fast)
             family_trial(&energy, c.off / whole, "%s", at);
             family_trial(&gap, c.gap / size, "%s", at);
         }
-        tumble_free(w);
+        tumble_world_free(w);
     }
     family_add(r, &energy, "", "energy of a flywheel and its arm, of its own");
     family_add(r, &gap, "", "gap of its joints, of its size");
@@ -394,8 +396,8 @@ static double time_swings(tumble_world *w, tumble_body b, double dt, int swings,
     double first = 0, last = 0;
     int passed = -1;
     for (double t = dt; t < most; t += dt) {
-        tumble_step(w);
-        tumble_vec3 x = tumble_position(w, b);
+        tumble_world_step(w);
+        tumble_vec3 x = tumble_body_position(w, b);
         double now = atan2(x.x, -x.y);
         if ((last < 0) != (now < 0) && fabs(now - last) < FAMILY_PI) {
             double at = t - dt * now / (now - last);
@@ -415,14 +417,15 @@ static void swing(hard_report *r, family_worst *period, double length,
     double angle = degrees * FAMILY_PI / 180, thick = length / 20;
     tumble_world *w = begin(dt);
     linkage l = { 0 };
-    tumble_body_options o = tumble_at(0, 0, 0);
+    tumble_body_options o = tumble_body_at(0, 0, 0);
     o.pose.position = v_scale(length / 2, tumble_v(sin(angle), -cos(angle), 0));
-    o.pose.rotation = tumble_turn(tumble_v(0, 0, 1), angle);
-    tumble_shape thin = tumble_box(w, tumble_v(thick, length, thick), 1);
-    tumble_body rod = tumble_add(w, thin, o);
+    o.pose.rotation = tumble_quat_turn(tumble_v(0, 0, 1), angle);
+    tumble_shape thin = tumble_shape_box(w, tumble_v(thick, length, thick), 1);
+    tumble_body rod = tumble_body_add(w, thin, o);
     tumble_vec3 pivot = { 0, 0, 0 };
-    if (is_hinge) hinge(w, &l, tumble_ground(), rod, pivot, tumble_v(0, 0, 1));
-    else join(w, &l, tumble_ground(), rod, pivot);
+    if (is_hinge)
+        hinge(w, &l, tumble_body_ground(), rod, pivot, tumble_v(0, 0, 1));
+    else join(w, &l, tumble_body_ground(), rod, pivot);
     double inertia = length * length / 3 + thick * thick / 12;
     double truth = 2 * FAMILY_PI * sqrt(inertia / (FAMILY_G * length / 2))
                  / mean_of_gauss(1, cos(angle / 2));
@@ -432,7 +435,7 @@ static void swing(hard_report *r, family_worst *period, double length,
                      "%s, %g m, %g deg, dt 1/%.0f", is_hinge ? "hinge" : "ball",
                      length, degrees, 1 / dt);
     }
-    tumble_free(w);
+    tumble_world_free(w);
 }
 
 // A ball at a distance L from a point goes round under it, at an angle A from
@@ -443,16 +446,17 @@ static void cone(hard_report *r, family_worst *rate, double length,
     double angle = degrees * FAMILY_PI / 180;
     double truth = sqrt(FAMILY_G / (length * cos(angle))), way = 0, last = 0;
     tumble_world *w = begin(dt);
-    tumble_body_options o = tumble_at(length * sin(angle),
-                                      -length * cos(angle), 0);
+    tumble_body_options o = tumble_body_at(length * sin(angle),
+                                           -length * cos(angle), 0);
     o.velocity = v_cross(v_scale(truth, UP), o.pose.position);
-    tumble_body b = tumble_add(w, tumble_sphere(w, length / 20, 1), o);
-    tumble_distance(w, tumble_ground(), tumble_v(0, 0, 0), b, o.pose.position,
-                    length, length);
+    tumble_body b = tumble_body_add(w, tumble_shape_sphere(w, length / 20, 1),
+                                    o);
+    tumble_joint_distance(w, tumble_body_ground(), tumble_v(0, 0, 0), b,
+                          o.pose.position, length, length);
     int steps = (int)(rounds * 2 * FAMILY_PI / truth / dt + 0.5);
     for (int n = 0; n < steps; n++) {
-        tumble_step(w);
-        tumble_vec3 x = tumble_position(w, b);
+        tumble_world_step(w);
+        tumble_vec3 x = tumble_body_position(w, b);
         double now = atan2(-x.z, x.x);
         way += remainder(now - last, 2 * FAMILY_PI);
         last = now;
@@ -460,7 +464,7 @@ static void cone(hard_report *r, family_worst *rate, double length,
     if (family_ok(r, w))
         family_trial(rate, fabs(way / (truth * steps * dt) - 1),
                      "%g m, %g deg, dt 1/%.0f", length, degrees, 1 / dt);
-    tumble_free(w);
+    tumble_world_free(w);
 }
 
 static void pendulums(hard_report *r, int fast)
@@ -536,11 +540,11 @@ static tumble_vec3 along_rod(double angle, double length)
 static tumble_body add_rod(tumble_world *w, linkage *l, double length,
                            tumble_vec3 from, double angle)
 {
-    tumble_body_options o = tumble_at(0, 0, 0);
+    tumble_body_options o = tumble_body_at(0, 0, 0);
     tumble_vec3 sides = { length / 20, length, length / 20 };
     o.pose.position = v_add(from, along_rod(angle, length / 2));
-    o.pose.rotation = tumble_turn(tumble_v(0, 0, 1), angle);
-    return weigh(l, tumble_add(w, tumble_box(w, sides, 1), o),
+    o.pose.rotation = tumble_quat_turn(tumble_v(0, 0, 1), angle);
+    return weigh(l, tumble_body_add(w, tumble_shape_box(w, sides, 1), o),
                  box_inertia(sides, 1));
 }
 
@@ -557,7 +561,7 @@ static void swing_double(hard_report *r, family_worst *place,
     tumble_vec3 knee = along_rod(a, length);
     tumble_body first = add_rod(w, &l, length, pivot, a);
     tumble_body second = add_rod(w, &l, length, knee, b);
-    hinge(w, &l, tumble_ground(), first, pivot, across);
+    hinge(w, &l, tumble_body_ground(), first, pivot, across);
     hinge(w, &l, first, second, knee, across);
     held end = hold(w, second, v_add(knee, along_rod(b, length)));
     int steps = (int)(sqrt(length) / dt + 0.5);
@@ -565,7 +569,7 @@ static void swing_double(hard_report *r, family_worst *place,
     two_rods t = two_rods_truth((two_rods){ a, b, 0, 0 }, length, inertia,
                                 steps * dt, 20000);
     tumble_vec3 truth = v_add(along_rod(t.a, length), along_rod(t.b, length));
-    for (int n = 0; n < steps; n++) tumble_step(w);
+    for (int n = 0; n < steps; n++) tumble_world_step(w);
     if (family_ok(r, w)) {
         char at[80];
         snprintf(at, sizeof at, "%g m, from %.0f and %.0f deg, dt 1/%.0f",
@@ -577,7 +581,7 @@ static void swing_double(hard_report *r, family_worst *place,
         family_trial(energy, c.off / whole, "%s", at);
         family_trial(said, c.belied / whole, "%s", at);
     }
-    tumble_free(w);
+    tumble_world_free(w);
 }
 
 static void double_pendulums(hard_report *r, int fast)
@@ -597,7 +601,8 @@ static void double_pendulums(hard_report *r, int fast)
     }
     family_add(r, &place, "", "end of a double pendulum, of its length");
     family_add(r, &energy, "", "energy of a double pendulum, of its scale");
-    family_add(r, &said, "", "what tumble_measure says of it, of its scale");
+    family_add(r, &said, "",
+               "what tumble_world_measure says of it, of its scale");
 }
 
 // ---- 165: limits of hinges -------------------------------------------------
@@ -611,19 +616,20 @@ static void meet_limit(hard_report *r, family_worst *past, family_worst *gain,
     tumble_vec3 axis = is_level ? tumble_v(0, 0, 1) : UP;
     tumble_world *w = begin(dt);
     linkage l = { 0 };
-    tumble_body_options o = tumble_at(size / 2, 0, 0);
+    tumble_body_options o = tumble_body_at(size / 2, 0, 0);
     o.spin = v_scale(is_level ? -spin : spin, axis);
     o.velocity = v_cross(o.spin, o.pose.position);
     tumble_vec3 sides = { size, size / 10, size / 10 };
-    tumble_body rod = weigh(&l, tumble_add(w, tumble_box(w, sides, 1), o),
-                            box_inertia(sides, 1));
-    hinge(w, &l, tumble_ground(), rod, tumble_v(0, 0, 0), axis);
-    tumble_set_limits(w, l.joint[0], -0.5, 0.5);
+    tumble_body rod =
+        weigh(&l, tumble_body_add(w, tumble_shape_box(w, sides, 1), o),
+              box_inertia(sides, 1));
+    hinge(w, &l, tumble_body_ground(), rod, tumble_v(0, 0, 0), axis);
+    tumble_joint_set_limits(w, l.joint[0], -0.5, 0.5);
     double least = kinetic(w, &l) + potential(w, &l), beyond = 0, most = 0;
     double whole = kinetic(w, &l) + FAMILY_G * size;
     for (int n = (int)(seconds / dt + 0.5); n > 0; n--) {
-        tumble_step(w);
-        tumble_vec3 x = tumble_position(w, rod);
+        tumble_world_step(w);
+        tumble_vec3 x = tumble_body_position(w, rod);
         double now = kinetic(w, &l) + potential(w, &l);
         double turned = is_level ? atan2(x.y, x.x) : atan2(-x.z, x.x);
         beyond = hard_worse(beyond, fabs(turned) - 0.5);
@@ -637,7 +643,7 @@ static void meet_limit(hard_report *r, family_worst *past, family_worst *gain,
         family_trial(past, beyond, "%s", at);
         family_trial(gain, most / whole, "%s", at);
     }
-    tumble_free(w);
+    tumble_world_free(w);
 }
 
 static void limits(hard_report *r, int fast)
@@ -663,13 +669,14 @@ static tumble_body add_link(tumble_world *w, linkage *l, tumble_shape s,
 {
     double length = v_length(way);
     tumble_vec3 middle = v_add(from, v_scale(0.5, way));
-    tumble_body_options o = tumble_at(middle.x, middle.y, middle.z);
+    tumble_body_options o = tumble_body_at(middle.x, middle.y, middle.z);
     tumble_vec3 axis = v_cross(tumble_v(1, 0, 0), way);
     if (v_length(axis) > 1e-9 * length)
-        o.pose.rotation = tumble_turn(axis, acos(way.x / length));
-    else if (way.x < 0) o.pose.rotation = tumble_turn(UP, FAMILY_PI);
+        o.pose.rotation = tumble_quat_turn(axis, acos(way.x / length));
+    else if (way.x < 0) o.pose.rotation = tumble_quat_turn(UP, FAMILY_PI);
     // All links have 1 kg.
-    tumble_body b = weigh(l, tumble_add(w, s, o), box_inertia(LINK_SIDES, 1));
+    tumble_body b = weigh(l, tumble_body_add(w, s, o),
+                          box_inertia(LINK_SIDES, 1));
     join(w, l, before, b, from);
     return b;
 }
@@ -679,8 +686,8 @@ static tumble_body add_link(tumble_world *w, linkage *l, tumble_shape s,
 static tumble_body add_chain(tumble_world *w, linkage *l, int n,
                              tumble_vec3 from, tumble_vec3 direction)
 {
-    tumble_shape s = tumble_box(w, LINK_SIDES, 1);
-    tumble_body last = tumble_ground();
+    tumble_shape s = tumble_shape_box(w, LINK_SIDES, 1);
+    tumble_body last = tumble_body_ground();
     tumble_vec3 way = v_scale(LINK, direction);
     for (int i = 0; i < n; i++, from = v_add(from, way))
         last = add_link(w, l, s, last, from, way);
@@ -691,9 +698,9 @@ static tumble_body add_ball(tumble_world *w, linkage *l, double radius,
                             double mass, tumble_vec3 at, tumble_vec3 velocity)
 {
     double inertia = 0.4 * mass * radius * radius;
-    tumble_body_options o = tumble_at(at.x, at.y, at.z);
+    tumble_body_options o = tumble_body_at(at.x, at.y, at.z);
     o.velocity = velocity;
-    return weigh(l, tumble_add(w, tumble_sphere(w, radius, mass), o),
+    return weigh(l, tumble_body_add(w, tumble_shape_sphere(w, radius, mass), o),
                  tumble_v(inertia, inertia, inertia));
 }
 
@@ -712,20 +719,20 @@ static void load_begin(tumble_world *w, linkage *l, load_kind kind, double mass,
     tumble_vec3 down = tumble_v(0, -1, 0), o = { 0, 0, 0 };
     if (kind == DROPPED) {
         tumble_vec3 way = tumble_v(0.8 * LINK, -0.6 * LINK, 0), at = o;
-        tumble_body last = tumble_ground();
-        tumble_shape s = tumble_box(w, LINK_SIDES, 1);
+        tumble_body last = tumble_body_ground();
+        tumble_shape s = tumble_shape_box(w, LINK_SIDES, 1);
         for (int i = 0; i < 10; i++) {
             if (i == 5) way.y = -way.y;
             last = add_link(w, l, s, last, at, way);
             at = v_add(at, way);
         }
-        join(w, l, last, tumble_ground(), at);
+        join(w, l, last, tumble_body_ground(), at);
         at = tumble_v(4 * LINK, height - 2.3 * LINK, 0);
         add_ball(w, l, 0.1, mass, at, o);
     } else if (kind == SLACK) {
         tumble_body last = add_chain(w, l, 5, o, down);
         tumble_vec3 at = v_scale(5 * LINK, down);
-        tumble_shape s = tumble_box(w, LINK_SIDES, 1);
+        tumble_shape s = tumble_shape_box(w, LINK_SIDES, 1);
         last = add_link(w, l, s, last, at, tumble_v(LINK, 0, 0));
         at.x = LINK;
         for (int i = 0; i < 5; i++, at.y += LINK)
@@ -736,7 +743,7 @@ static void load_begin(tumble_world *w, linkage *l, load_kind kind, double mass,
         join(w, l, last, ball, at);
     } else {
         tumble_body last = add_chain(w, l, 5, o, down);
-        for (int n = 0; n < 10; n++) tumble_step(w);
+        for (int n = 0; n < 10; n++) tumble_world_step(w);
         tumble_vec3 at = v_scale(5 * LINK, down);
         tumble_body ball = add_ball(w, l, 0.1, mass, tumble_v(0, at.y - 0.1, 0),
                                     tumble_v(0, 0, sqrt(2 * FAMILY_G
@@ -768,7 +775,7 @@ static void sudden_loads(hard_report *r, int fast)
             family_trial(&gap, c.gap / LINK, "%s", at);
             family_trial(&gain, c.gain / whole, "%s", at);
         }
-        tumble_free(w);
+        tumble_world_free(w);
     }
     family_add(r, &gap, "", "gap under a sudden load, of a link");
     family_add(r, &gain, "", "energy gained from it, of what fell");
@@ -799,7 +806,7 @@ static void heavy_chain(hard_report *r, family_worst *gap, family_worst *force,
             family_trial(force, fabs(bore / weight - 1),
                          "%d links, %g times a link", n, mass);
     }
-    tumble_free(w);
+    tumble_world_free(w);
 }
 
 static void heavy_chains(hard_report *r, int fast)
@@ -821,7 +828,8 @@ static int is_frozen(const tumble_world *w, const linkage *l)
 {
     for (int k = 0; k < l->count; k++) {
         tumble_body b = l->b[k].body;
-        if (!tumble_is_awake(w, b) || v_length(tumble_velocity(w, b)) > 0)
+        if (!tumble_body_is_awake(w, b)
+            || v_length(tumble_body_velocity(w, b)) > 0)
             return 0;
     }
     return 1;
@@ -839,7 +847,7 @@ static void few_substeps(hard_report *r, int fast)
         int n = links[k % 2], substeps = few[k / 2 % 4], still = 0, wide = 0;
         tumble_options o = family_options(dt, 0.5);
         o.substeps = o.most_substeps = substeps;
-        tumble_world *w = tumble_make(&o);
+        tumble_world *w = tumble_world_make(&o);
         linkage l = { 0 };
         tumble_body last = add_chain(w, &l, n, tumble_v(0, 0, 0),
                                      tumble_v(1, 0, 0));
@@ -850,8 +858,9 @@ static void few_substeps(hard_report *r, int fast)
         int steps = (int)((fast ? 1 : 3) / dt);
         // Eight say it as well as all of them, and they are slow.
         for (int i = 0; i < steps && still + wide < 8; i++) {
-            tumble_step(w);
-            if (tumble_failure(w) || tumble_last_step(w).unconverged) continue;
+            tumble_world_step(w);
+            if (tumble_world_failure(w)
+                || tumble_world_last_step(w).unconverged) continue;
             still += is_frozen(w, &l);
             wide += !(widest(w, &l) <= 0.01 * LINK);
         }
@@ -859,7 +868,7 @@ static void few_substeps(hard_report *r, int fast)
                      substeps, 1 / dt);
         family_trial(&apart, wide, "%d links, %d substeps, dt 1/%.0f", n,
                      substeps, 1 / dt);
-        tumble_free(w);
+        tumble_world_free(w);
     }
     family_add(r, &frozen, "", "steps in which a chain stopped in silence");
     family_add(r, &apart, "", "steps in which it was apart in silence");
@@ -878,13 +887,14 @@ static void add_tree(tumble_world *w, linkage *l, int n, double fast,
         int to = i ? (int)(family_random(&seed) * i) : 0;
         at[i] = i ? v_add(at[to], tumble_v(0.2, 0.1 * (i % 2 ? 1 : -1), 0.1))
                   : tumble_v(0, 0, 0);
-        tumble_body_options o = tumble_at(at[i].x, at[i].y, at[i].z);
+        tumble_body_options o = tumble_body_at(at[i].x, at[i].y, at[i].z);
         o.velocity = v_scale(0.2 * fast, family_direction(&seed));
         o.spin = v_scale(fast, family_direction(&seed));
         o.mask = 0;
         double mass = family_log_between(&seed, 0.1, 10);
         tumble_vec3 sides = v_scale(2, corner);
-        all[i] = weigh(l, tumble_add(w, tumble_box(w, sides, mass), o),
+        all[i] = weigh(l,
+                       tumble_body_add(w, tumble_shape_box(w, sides, mass), o),
                        box_inertia(sides, mass));
         tumble_vec3 point = v_scale(0.5, v_add(at[to], at[i]));
         if (i && i % 3) join(w, l, all[to], all[i], point);
@@ -900,16 +910,16 @@ static void throw_tree(hard_report *r, family_worst *sums, family_worst *energy,
 {
     tumble_options o = family_options(dt, 0.5);
     o.gravity = tumble_v(0, 0, 0);
-    tumble_world *w = tumble_make(&o);
+    tumble_world *w = tumble_world_make(&o);
     linkage l = { 0 };
     add_tree(w, &l, n, fast, seed);
-    tumble_measures a = tumble_measure(w);
-    tumble_step(w);
+    tumble_measures a = tumble_world_measure(w);
+    tumble_world_step(w);
     double mass = 0;
-    for (int i = 0; i < n; i++) mass += tumble_mass(w, l.body[i]);
+    for (int i = 0; i < n; i++) mass += tumble_body_mass(w, l.body[i]);
     double whole = kinetic(w, &l), scale = sqrt(2 * mass * whole);
     course c = follow(w, &l, dt, 5, whole);
-    tumble_measures b = tumble_measure(w);
+    tumble_measures b = tumble_world_measure(w);
     if (family_ok(r, w)) {
         // kg m/s, beside a root mean square; the tree is about a metre wide.
         double off = (v_distance(a.momentum, b.momentum)
@@ -919,7 +929,7 @@ static void throw_tree(hard_report *r, family_worst *sums, family_worst *energy,
         family_trial(energy, c.off / whole, "%d boxes, %g rad/s, dt 1/%.0f", n,
                      fast, 1 / dt);
     }
-    tumble_free(w);
+    tumble_world_free(w);
 }
 
 // A chain of five under a moving point, as seen from it, against the same under
@@ -931,22 +941,22 @@ static double ride(double speed, double dt)
     for (int k = 0; k < 2; k++) {
         tumble_vec3 v = tumble_v(k * speed, 0, 0), way = { 0, 0, LINK };
         linkage l = { 0 };
-        tumble_shape s = tumble_box(w[k], LINK_SIDES, 1);
-        tumble_body_options o = tumble_at(0, 0, 0);
+        tumble_shape s = tumble_shape_box(w[k], LINK_SIDES, 1);
+        tumble_body_options o = tumble_body_at(0, 0, 0);
         o.kind = TUMBLE_KINEMATIC;
         o.velocity = v;
-        end[k] = base[k] = tumble_add(w[k], s, o);
+        end[k] = base[k] = tumble_body_add(w[k], s, o);
         for (int i = 0; i < 5; i++) {
             end[k] = add_link(w[k], &l, s, end[k], v_scale(i, way), way);
-            tumble_set_velocity(w[k], end[k], v, tumble_v(0, 0, 0));
+            tumble_body_set_velocity(w[k], end[k], v, tumble_v(0, 0, 0));
         }
-        for (int n = (int)(1 / dt + 0.5); n > 0; n--) tumble_step(w[k]);
+        for (int n = (int)(1 / dt + 0.5); n > 0; n--) tumble_world_step(w[k]);
     }
-    double off = v_distance(v_sub(tumble_position(w[0], end[0]),
-                                  tumble_position(w[0], base[0])),
-                            v_sub(tumble_position(w[1], end[1]),
-                                  tumble_position(w[1], base[1])));
-    for (int k = 0; k < 2; k++) tumble_free(w[k]);
+    double off = v_distance(v_sub(tumble_body_position(w[0], end[0]),
+                                  tumble_body_position(w[0], base[0])),
+                            v_sub(tumble_body_position(w[1], end[1]),
+                                  tumble_body_position(w[1], base[1])));
+    for (int k = 0; k < 2; k++) tumble_world_free(w[k]);
     return off;
 }
 
@@ -955,7 +965,7 @@ static double ride(double speed, double dt)
 static tumble_vec3 swing_shuffled(int n, family_seed seed)
 {
     tumble_world *w = begin(STEPS[0]);
-    tumble_shape s = tumble_box(w, LINK_SIDES, 1);
+    tumble_shape s = tumble_shape_box(w, LINK_SIDES, 1);
     tumble_body link[MOST_JOINTS];
     int order[MOST_JOINTS];
     for (int i = 0; i < n; i++) order[i] = i;
@@ -965,16 +975,17 @@ static tumble_vec3 swing_shuffled(int n, family_seed seed)
         order[k] = was;
     }
     for (int i = 0; i < n; i++)
-        link[order[i]] = tumble_add(w, s, tumble_at((order[i] + 0.5) * LINK, 0,
-                                                    0));
+        link[order[i]] =
+            tumble_body_add(w, s, tumble_body_at((order[i] + 0.5) * LINK, 0,
+                                                 0));
     for (int i = 0; i < n; i++) {
         int k = order[i];
-        tumble_ball(w, k ? link[k - 1] : tumble_ground(), link[k],
-                    tumble_v(k * LINK, 0, 0));
+        tumble_joint_ball(w, k ? link[k - 1] : tumble_body_ground(), link[k],
+                          tumble_v(k * LINK, 0, 0));
     }
-    for (int i = 0; i < 60; i++) tumble_step(w);
-    tumble_vec3 end = tumble_position(w, link[n - 1]);
-    tumble_free(w);
+    for (int i = 0; i < 60; i++) tumble_world_step(w);
+    tumble_vec3 end = tumble_body_position(w, link[n - 1]);
+    tumble_world_free(w);
     return end;
 }
 

@@ -18,11 +18,12 @@ static tumble_shape some_shape(tumble_world *w, mix m, double size, double mass,
     if (m == MIXED) m = (mix)(int)family_between(s, 0, MIXED);
     double a = size / 2;
     switch (m) {
-    case BALLS:    return tumble_sphere(w, a, mass);
-    case CAPSULES: return tumble_capsule(w, a, a / 2, mass);
+    case BALLS:    return tumble_shape_sphere(w, a, mass);
+    case CAPSULES: return tumble_shape_capsule(w, a, a / 2, mass);
     case COINS:    return family_prism(w, 12, a, a / 2, mass);
     default:
-        return tumble_box(w, tumble_v(size, 0.8 * size, 0.6 * size), mass);
+        return tumble_shape_box(w, tumble_v(size, 0.8 * size, 0.6 * size),
+                                mass);
     }
 }
 
@@ -41,10 +42,10 @@ typedef struct {
 static void add_one(tumble_world *w, const trial *t, tumble_vec3 x,
                     tumble_vec3 v, double mass, sums *all, family_seed *s)
 {
-    tumble_body_options o = tumble_at(x.x, x.y, x.z);
+    tumble_body_options o = tumble_body_at(x.x, x.y, x.z);
     o.pose.rotation = family_rotation(s);
     o.velocity = v;
-    tumble_add(w, some_shape(w, t->shapes, t->size, mass, s), o);
+    tumble_body_add(w, some_shape(w, t->shapes, t->size, mass, s), o);
     all->linear += mass * v_length(v);
     all->angular += mass * v_length(v) * t->size;
 }
@@ -75,11 +76,11 @@ static void collide(hard_report *r, family_worst *linear, family_worst *angular,
     tumble_options o = family_options(t->dt, t->friction);
     o.gravity = tumble_v(0, 0, 0);
     o.restitution = t->restitution;
-    tumble_world *w = tumble_make(&o);
+    tumble_world *w = tumble_world_make(&o);
     sums all = throw_together(w, t, s);
-    tumble_measures before = tumble_measure(w);
+    tumble_measures before = tumble_world_measure(w);
     family_run(w, 8 * t->size / t->speed * cbrt(t->bodies / 2.0));
-    tumble_measures after = tumble_measure(w);
+    tumble_measures after = tumble_world_measure(w);
 #define HERE "%d %s of %g m, %g m/s, e %g, 1 to %g, dt 1/%.0f", t->bodies, \
     mix_name[t->shapes], t->size, t->speed, t->restitution, t->ratio, 1 / t->dt
     family_trial(linear, v_distance(before.momentum, after.momentum)
@@ -88,7 +89,7 @@ static void collide(hard_report *r, family_worst *linear, family_worst *angular,
                           / all.angular, HERE);
 #undef HERE
     family_ok(r, w);
-    tumble_free(w);
+    tumble_world_free(w);
 }
 
 static void collisions(hard_report *r, int bodies, double friction, int times)

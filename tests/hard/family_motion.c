@@ -18,20 +18,20 @@ static void parabola(hard_report *r, family_worst *off, double step,
     double speed = family_log_between(s, 0.1, 300);
     tumble_vec3 down = v_scale(g, family_direction(s));
     o.gravity = down;
-    tumble_world *w = tumble_make(&o);
-    tumble_body_options b = tumble_at(0, 0, 0);
+    tumble_world *w = tumble_world_make(&o);
+    tumble_body_options b = tumble_body_at(0, 0, 0);
     b.velocity = v_scale(speed, family_direction(s));
     b.spin = v_scale(family_log_between(s, 0.1, 50), family_direction(s));
-    tumble_shape box = tumble_box(w, tumble_v(1, 0.6, 0.3), 2);
-    tumble_body body = tumble_add(w, box, b);
+    tumble_shape box = tumble_shape_box(w, tumble_v(1, 0.6, 0.3), 2);
+    tumble_body body = tumble_body_add(w, box, b);
     family_run(w, 2);
-    double t = tumble_time(w);
+    double t = tumble_world_time(w);
     tumble_vec3 x = v_add(v_scale(t, b.velocity), v_scale(t * t / 2, down));
     double way = speed * t + g * t * t / 2;
-    family_trial(off, v_distance(tumble_position(w, body), x) / way,
+    family_trial(off, v_distance(tumble_body_position(w, body), x) / way,
                  "g %.3g m/s^2, %.3g m/s, dt 1/%.0f", g, speed, 1 / step);
     family_ok(r, w);
-    tumble_free(w);
+    tumble_world_free(w);
 }
 
 static void free_fall(hard_report *r, int fast)
@@ -54,24 +54,25 @@ static void roll(hard_report *r, family_worst off[2], double slope, double a,
 {
     tumble_options o = family_options(step, 1);
     o.gravity = v_scale(FAMILY_G, tumble_v(sin(slope), -cos(slope), 0));
-    tumble_world *w = tumble_make(&o);
-    tumble_add_plane(w, tumble_v(0, 1, 0), 0, -1);
-    tumble_body_options p = tumble_at(0, a, 0);
+    tumble_world *w = tumble_world_make(&o);
+    tumble_plane_add(w, tumble_v(0, 1, 0), 0, -1);
+    tumble_body_options p = tumble_body_at(0, a, 0);
     double speed = rolls ? sqrt(FAMILY_G * a) / 5 : 0;
     p.velocity = tumble_v(speed, 0, 0);
     p.spin = tumble_v(0, 0, -speed / a);
-    tumble_body b = tumble_add(w, tumble_sphere(w, a, 1), p);
+    tumble_body b = tumble_body_add(w, tumble_shape_sphere(w, a, 1), p);
     family_run(w, 3);
-    double t = tumble_time(w);
+    double t = tumble_world_time(w);
     double ideal = speed * t + 5 / 14.0 * FAMILY_G * sin(slope) * t * t;
-    double slip = fabs(tumble_velocity(w, b).x + a * tumble_spin(w, b).z);
+    double slip =
+        fabs(tumble_body_velocity(w, b).x + a * tumble_body_spin(w, b).z);
 #define HERE "slope of %.0f degrees, radius %g m, dt 1/%.0f", \
     slope * 180 / FAMILY_PI, a, 1 / step
-    family_trial(&off[0], fabs(tumble_position(w, b).x / ideal - 1), HERE);
+    family_trial(&off[0], fabs(tumble_body_position(w, b).x / ideal - 1), HERE);
     family_trial(&off[1], slip / (ideal / t), HERE);
 #undef HERE
     family_ok(r, w);
-    tumble_free(w);
+    tumble_world_free(w);
 }
 
 static void rolling(hard_report *r, int fast)
@@ -101,22 +102,24 @@ static void begin_to_roll(hard_report *r, family_worst *off, double speed,
                           double mu, double a, double step)
 {
     tumble_options o = family_options(step, mu);
-    tumble_world *w = tumble_make(&o);
-    tumble_add_plane(w, tumble_v(0, 1, 0), 0, -1);
-    tumble_body_options b = tumble_at(0, a, 0);
+    tumble_world *w = tumble_world_make(&o);
+    tumble_plane_add(w, tumble_v(0, 1, 0), 0, -1);
+    tumble_body_options b = tumble_body_at(0, a, 0);
     b.velocity = tumble_v(speed, 0, 0);
-    tumble_body ball = tumble_add(w, tumble_sphere(w, a, 1), b);
+    tumble_body ball = tumble_body_add(w, tumble_shape_sphere(w, a, 1), b);
     double slides = 2 * speed / (7 * mu * FAMILY_G);
     family_run(w, 2 * slides + 10 * step);
-    double ideal = 5 / 7.0 * speed * tumble_time(w)
+    double ideal = 5 / 7.0 * speed * tumble_world_time(w)
                  + 2 * speed * speed / (49 * mu * FAMILY_G);
 #define HERE "%g m/s, mu %g, radius %g m, dt 1/%.0f", speed, mu, a, 1 / step
-    family_trial(&off[0], fabs(tumble_velocity(w, ball).x / speed * 7 / 5 - 1),
+    family_trial(&off[0],
+                 fabs(tumble_body_velocity(w, ball).x / speed * 7 / 5 - 1),
                  HERE);
-    family_trial(&off[1], fabs(tumble_position(w, ball).x / ideal - 1), HERE);
+    family_trial(&off[1], fabs(tumble_body_position(w, ball).x / ideal - 1),
+                 HERE);
 #undef HERE
     family_ok(r, w);
-    tumble_free(w);
+    tumble_world_free(w);
 }
 
 static void sliding_to_rolling(hard_report *r, int fast)
@@ -194,10 +197,10 @@ static tumble_world *spin_freely(double step, tumble_vec3 sides,
 {
     tumble_options o = family_options(step, 0.5);
     o.gravity = tumble_v(0, 0, 0);
-    tumble_world *w = tumble_make(&o);
-    tumble_body_options b = tumble_at(0, 0, 0);
+    tumble_world *w = tumble_world_make(&o);
+    tumble_body_options b = tumble_body_at(0, 0, 0);
     b.spin = spin;
-    *body = tumble_add(w, tumble_box(w, sides, 2), b);
+    *body = tumble_body_add(w, tumble_shape_box(w, sides, 2), b);
     return w;
 }
 
@@ -215,15 +218,15 @@ static void spin_once(hard_report *r, family_worst of[4], tumble_vec3 sides,
         tumble_body b;
         step[k] = ldexp(1 / 60.0, -k);
         tumble_world *w = spin_freely(step[k], sides, spin, &b);
-        tumble_measures before = tumble_measure(w);
+        tumble_measures before = tumble_world_measure(w);
         family_run(w, 2);
-        tumble_measures after = tumble_measure(w);
-        error[k] = turned_wrong(tumble_get_pose(w, b).rotation, truth);
+        tumble_measures after = tumble_world_measure(w);
+        error[k] = turned_wrong(tumble_body_pose(w, b).rotation, truth);
         family_trial(&of[2], v_distance(after.angular, before.angular)
                              / v_length(before.angular), HERE);
         family_trial(&of[3], fabs(after.kinetic / before.kinetic - 1), HERE);
         family_ok(r, w);
-        tumble_free(w);
+        tumble_world_free(w);
     }
     // A symmetric step is off by a twelfth of its angle squared, every radian.
     double angle = v_length(spin) * step[0], radians = 2 * v_length(spin);
@@ -266,15 +269,15 @@ static int topples(hard_report *r, double side, double shape, double part,
     tumble_options o = family_options(step, 3);
     double slope = atan(part * shape);
     o.gravity = v_scale(FAMILY_G, tumble_v(sin(slope), -cos(slope), 0));
-    tumble_world *w = tumble_make(&o);
-    tumble_add_plane(w, tumble_v(0, 1, 0), 0, -1);
+    tumble_world *w = tumble_world_make(&o);
+    tumble_plane_add(w, tumble_v(0, 1, 0), 0, -1);
     tumble_vec3 sides = { shape * side, side, shape * side };
-    tumble_shape block = tumble_box(w, sides, 1000 * side * side * side);
-    tumble_body b = tumble_add(w, block, tumble_at(0, side / 2, 0));
+    tumble_shape block = tumble_shape_box(w, sides, 1000 * side * side * side);
+    tumble_body b = tumble_body_add(w, block, tumble_body_at(0, side / 2, 0));
     family_run(w, 10);
-    tumble_vec3 up = v_turn(tumble_get_pose(w, b).rotation, tumble_v(0, 1, 0));
+    tumble_vec3 up = v_turn(tumble_body_pose(w, b).rotation, tumble_v(0, 1, 0));
     family_ok(r, w);
-    tumble_free(w);
+    tumble_world_free(w);
     return !(up.y > 0.9);
 }
 
@@ -307,26 +310,27 @@ static void bounces(hard_report *r, family_worst *off, double e, double a,
 {
     tumble_options o = family_options(step, 0.5);
     o.restitution = e;
-    tumble_world *w = tumble_make(&o);
-    tumble_add_plane(w, tumble_v(0, 1, 0), 0, -1);
-    tumble_body b = tumble_add(w, tumble_sphere(w, a, 1),
-                               tumble_at(0, a + height, 0));
+    tumble_world *w = tumble_world_make(&o);
+    tumble_plane_add(w, tumble_v(0, 1, 0), 0, -1);
+    tumble_body b = tumble_body_add(w, tumble_shape_sphere(w, a, 1),
+                                    tumble_body_at(0, a + height, 0));
     double fall = sqrt(2 * height / FAMILY_G), worst = 0;
     // Three bounces: later ones may be too slow to bounce.
     double end = fall * (1 + 2 * e + 2 * e * e + e * e * e);
     int steps = (int)(end / step);
     for (int n = 0; n < steps; n++) {
-        tumble_step(w);
-        double t = tumble_time(w) + fall, flight = 2 * fall;
+        tumble_world_step(w);
+        double t = tumble_world_time(w) + fall, flight = 2 * fall;
         double up = FAMILY_G * fall;
         while (t > flight) { t -= flight; flight *= e; up *= e; }
         double high = up * t - FAMILY_G * t * t / 2;
-        worst = hard_worse(worst, fabs(tumble_position(w, b).y - a - high));
+        worst = hard_worse(worst,
+                           fabs(tumble_body_position(w, b).y - a - high));
     }
     family_trial(off, worst / height, "e %g, radius %g m, from %g m, dt 1/%.0f",
                  e, a, height, 1 / step);
     family_ok(r, w);
-    tumble_free(w);
+    tumble_world_free(w);
 }
 
 static void bouncing(hard_report *r, int fast)

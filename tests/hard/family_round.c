@@ -22,7 +22,7 @@ static tumble_quat first_rotation(const trial *t, family_seed *s)
 {
     static const double tilt[] = { 0, 0.5, 1.2 };
     if (t->start < 3)
-        return tumble_turn(tumble_v(1, 0, 0.3), tilt[t->start]);
+        return tumble_quat_turn(tumble_v(1, 0, 0.3), tilt[t->start]);
     return family_rotation(s);
 }
 
@@ -30,13 +30,14 @@ static tumble_quat first_rotation(const trial *t, family_seed *s)
 static void add_ground(tumble_world *w, const trial *t)
 {
     if (!t->on_box) {
-        tumble_add_plane(w, tumble_v(0, 1, 0), 0, -1);
+        tumble_plane_add(w, tumble_v(0, 1, 0), 0, -1);
         return;
     }
     double a = t->radius;
-    tumble_body_options o = tumble_at(0, -a, 0);
+    tumble_body_options o = tumble_body_at(0, -a, 0);
     o.kind = TUMBLE_STATIC;
-    tumble_add(w, tumble_box(w, tumble_v(40 * a, 2 * a, 40 * a), 1), o);
+    tumble_body_add(w, tumble_shape_box(w, tumble_v(40 * a, 2 * a, 40 * a), 1),
+                    o);
 }
 
 // Its lowest point begins one radius above the ground.
@@ -46,32 +47,33 @@ static tumble_body drop(tumble_world *w, const trial *t, family_seed *s)
     tumble_shape shape = family_prism(w, t->corners, a, t->height,
                                       1000 * a * a * t->height);
     double reach = sqrt(a * a + t->height * t->height / 4);
-    tumble_body_options o = tumble_at(0, a + reach, 0);
+    tumble_body_options o = tumble_body_at(0, a + reach, 0);
     o.pose.rotation = first_rotation(t, s);
-    return tumble_add(w, shape, o);
+    return tumble_body_add(w, shape, o);
 }
 
 static void let_fall(hard_report *r, tally *a, const trial *t, family_seed *s)
 {
     tumble_options o = family_options(t->dt, 0.5);
-    tumble_world *w = tumble_make(&o);
+    tumble_world *w = tumble_world_make(&o);
     add_ground(w, t);
     tumble_body b = drop(w, t, s);
     double deepest = 0, size = fmax(2 * t->radius, t->height);
     // Twenty seconds; those of 1 cm and of 1 m fall for .05 and .5 s of them.
-    for (double time = 0; time < 20 && tumble_is_awake(w, b); time += t->dt) {
-        tumble_step(w);
-        deepest = hard_worse(deepest, tumble_measure(w).penetration);
+    for (double time = 0; time < 20 && tumble_body_is_awake(w, b);
+         time += t->dt) {
+        tumble_world_step(w);
+        deepest = hard_worse(deepest, tumble_world_measure(w).penetration);
     }
     static const char *const start[] = { "flat", "tilted", "steep", "turned" };
 #define HERE "%d corners, radius %g m, height %g m, %s, dt 1/%.0f", \
     t->corners, t->radius, t->height, start[t->start], 1 / t->dt
     family_trial(&a->deepest, deepest / size, HERE);
-    family_trial(&a->resting, tumble_measure(w).penetration / size, HERE);
-    family_trial(&a->awake, tumble_is_awake(w, b), HERE);
+    family_trial(&a->resting, tumble_world_measure(w).penetration / size, HERE);
+    family_trial(&a->awake, tumble_body_is_awake(w, b), HERE);
 #undef HERE
     family_ok(r, w);
-    tumble_free(w);
+    tumble_world_free(w);
 }
 
 static void all_shapes(hard_report *r, int on_box, int fast)
@@ -112,26 +114,26 @@ static void roll_of_coins(hard_report *r, family_worst *sunk, family_worst *off,
                           int corners, double radius, double thick)
 {
     enum { COINS = 10 };
-    tumble_world *w = tumble_make(NULL);
-    tumble_add_plane(w, tumble_v(0, 1, 0), 0, -1);
+    tumble_world *w = tumble_world_make(NULL);
+    tumble_plane_add(w, tumble_v(0, 1, 0), 0, -1);
     double height = thick * radius;
     tumble_shape coin = family_prism(w, corners, radius, height,
                                      1000 * radius * radius * height);
-    tumble_body top = tumble_ground();
+    tumble_body top = tumble_body_ground();
     for (int i = 0; i < COINS; i++) {
-        tumble_body_options o = tumble_at(0, (i + 0.5) * height, 0);
-        o.pose.rotation = tumble_turn(tumble_v(0, 1, 0), 0.3 * i);
-        top = tumble_add(w, coin, o);
+        tumble_body_options o = tumble_body_at(0, (i + 0.5) * height, 0);
+        o.pose.rotation = tumble_quat_turn(tumble_v(0, 1, 0), 0.3 * i);
+        top = tumble_body_add(w, coin, o);
     }
     family_run(w, 5);
-    tumble_vec3 x = tumble_position(w, top);
+    tumble_vec3 x = tumble_body_position(w, top);
 #define HERE "%d corners, radius %g m, thickness %g of it", corners, radius, \
     thick
     family_trial(sunk, fabs(x.y / ((COINS - 0.5) * height) - 1), HERE);
     family_trial(off, hypot(x.x, x.z) / radius, HERE);
 #undef HERE
     family_ok(r, w);
-    tumble_free(w);
+    tumble_world_free(w);
 }
 
 static void rolls_of_coins(hard_report *r, int fast)

@@ -66,15 +66,16 @@ static void lay_bodies(tumble_world *w, const trial *t, tumble_kind kind)
     double s = t->size;
     tumble_vec3 sides = { TILE * s, THICK * s, WIDTH * s };
     // A free slab outweighs the slider by 10,000, so that it stays.
-    tumble_shape tile = tumble_box(w, sides, 10000 * s * s * s);
+    tumble_shape tile = tumble_shape_box(w, sides, 10000 * s * s * s);
     for (int i = 0; i < TILES; i++) {
-        tumble_body_options o = tumble_at((i - 1) * TILE * s,
-                                          height_of(t, i) - THICK * s / 2, 0);
+        tumble_body_options o = tumble_body_at((i - 1) * TILE * s,
+                                               height_of(t, i) - THICK * s / 2,
+                                               0);
         o.kind = kind;
-        tumble_add(w, tile, o);
+        tumble_body_add(w, tile, o);
     }
     if (kind == TUMBLE_DYNAMIC)
-        tumble_add_plane(w, tumble_v(0, 1, 0), -THICK * s, -1);
+        tumble_plane_add(w, tumble_v(0, 1, 0), -THICK * s, -1);
 }
 
 static void lay_tiles(tumble_world *w, const trial *t)
@@ -84,10 +85,10 @@ static void lay_tiles(tumble_world *w, const trial *t)
     double s = t->size;
     tumble_vec3 sides = { TILE * s, THICK * s, WIDTH * s };
     for (int i = 0; i < TILES; i++) {
-        shape[i] = tumble_box(w, sides, 1);
+        shape[i] = tumble_shape_box(w, sides, 1);
         pose[i] = place((i - 1) * TILE * s, height_of(t, i) - THICK * s / 2, 0);
     }
-    tumble_add_pieces(w, shape, pose, TILES, tumble_at(0, 0, 0));
+    tumble_body_add_pieces(w, shape, pose, TILES, tumble_body_at(0, 0, 0));
 }
 
 // Six rows of tiles, every other row moved by half a tile: T seams.
@@ -97,7 +98,8 @@ static void lay_bricks(tumble_world *w, const trial *t)
     tumble_shape shape[ROWS * TILES];
     tumble_pose pose[ROWS * TILES];
     double s = t->size;
-    tumble_shape brick = tumble_box(w, tumble_v(TILE * s, THICK * s, s), 1);
+    tumble_shape brick = tumble_shape_box(w, tumble_v(TILE * s, THICK * s, s),
+                                          1);
     int n = 0;
     for (int k = 0; k < ROWS; k++)
         for (int i = 0; i < TILES; i++, n++) {
@@ -105,7 +107,7 @@ static void lay_bricks(tumble_world *w, const trial *t)
             pose[n] = place((i - 1 + k % 2 * 0.5) * TILE * s, -THICK * s / 2,
                             (k - 2.5) * s);
         }
-    tumble_add_pieces(w, shape, pose, n, tumble_at(0, 0, 0));
+    tumble_body_add_pieces(w, shape, pose, n, tumble_body_at(0, 0, 0));
 }
 
 // One prism under the triangle of corners a, b, c, which are in parts of s.
@@ -119,7 +121,7 @@ static void lay_prism(tumble_world *w, double s, const double corner[6],
         middle.x += point[k].x / 3;
         middle.z += point[k].z / 3;
     }
-    *shape = tumble_hull(w, point, 6, 1);
+    *shape = tumble_shape_hull(w, point, 6, 1);
     *pose = place(middle.x, middle.y, middle.z);
 }
 
@@ -137,7 +139,7 @@ static void lay_triangles(tumble_world *w, const trial *t)
             lay_prism(w, t->size, high, &shape[n + 1], &pose[n + 1]);
             n += 2;
         }
-    tumble_add_pieces(w, shape, pose, n, tumble_at(0, 0, 0));
+    tumble_body_add_pieces(w, shape, pose, n, tumble_body_at(0, 0, 0));
     free(shape);
     free(pose);
 }
@@ -145,7 +147,7 @@ static void lay_triangles(tumble_world *w, const trial *t)
 static void lay_floor(tumble_world *w, const trial *t)
 {
     switch (t->floor) {
-    case PLANE:      tumble_add_plane(w, tumble_v(0, 1, 0), 0, -1); break;
+    case PLANE:      tumble_plane_add(w, tumble_v(0, 1, 0), 0, -1); break;
     case STATICS:    lay_bodies(w, t, TUMBLE_STATIC); break;
     case KINEMATICS: lay_bodies(w, t, TUMBLE_KINEMATIC); break;
     case DYNAMICS:   lay_bodies(w, t, TUMBLE_DYNAMIC); break;
@@ -163,29 +165,29 @@ static tumble_body add_slider(tumble_world *w, const trial *t, double *height)
 {
     double s = t->size, mass = s * s * s;
     tumble_shape shape;
-    tumble_quat rotation = tumble_turn(tumble_v(0, 1, 0), t->turned);
+    tumble_quat rotation = tumble_quat_turn(tumble_v(0, 1, 0), t->turned);
     switch (t->slider) {
     case CAPSULE:   // it lies along its way
-        shape = tumble_capsule(w, s, s / 4, mass);
+        shape = tumble_shape_capsule(w, s, s / 4, mass);
         *height = s / 4;
-        rotation = tumble_turn(tumble_v(0, 0, 1), FAMILY_PI / 2);
+        rotation = tumble_quat_turn(tumble_v(0, 0, 1), FAMILY_PI / 2);
         break;
     case COIN:
         shape = family_prism(w, 16, s / 2, s / 4, mass);
         *height = s / 8;
         break;
     case BALL:
-        shape = tumble_sphere(w, s / 2, mass);
+        shape = tumble_shape_sphere(w, s / 2, mass);
         *height = s / 2;
         break;
     default:
-        shape = tumble_box(w, tumble_v(s, s / 2, s), mass);
+        shape = tumble_shape_box(w, tumble_v(s, s / 2, s), mass);
         *height = s / 4;
     }
-    tumble_body_options o = tumble_at(0, *height, 0.075 * s);
+    tumble_body_options o = tumble_body_at(0, *height, 0.075 * s);
     o.pose.rotation = rotation;
     o.velocity = tumble_v(t->speed, 0, 0);
-    return tumble_add(w, shape, o);
+    return tumble_body_add(w, shape, o);
 }
 
 // How long is it on its way?  Until friction has stopped it, and half as long
@@ -200,21 +202,21 @@ static outcome slide(hard_report *r, const trial *t)
 {
     tumble_options o = family_options(t->dt, t->friction);
     outcome out = { 0, 0, 0, 0, 0, 0 };
-    tumble_world *w = tumble_make(&o);
+    tumble_world *w = tumble_world_make(&o);
     lay_floor(w, t);
     double height;
     tumble_body b = add_slider(w, t, &height);
     for (double time = 0; time < duration(t); time += t->dt) {
-        tumble_step(w);
-        tumble_vec3 x = tumble_position(w, b);
+        tumble_world_step(w);
+        tumble_vec3 x = tumble_body_position(w, b);
         out.furthest = hard_worse(out.furthest, x.x);
         out.hop = hard_worse(out.hop, x.y - height);
         out.aside = hard_worse(out.aside, fabs(x.z - 0.075 * t->size));
     }
-    out.way = tumble_position(w, b).x;
-    out.speed = tumble_velocity(w, b).x;
+    out.way = tumble_body_position(w, b).x;
+    out.speed = tumble_body_velocity(w, b).x;
     out.ok = family_ok(r, w);
-    tumble_free(w);
+    tumble_world_free(w);
     return out;
 }
 

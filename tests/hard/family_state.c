@@ -25,7 +25,7 @@ typedef struct {
 
 static void add_floor(tumble_world *w)
 {
-    tumble_add_plane(w, tumble_v(0, 1, 0), 0, -1);
+    tumble_plane_add(w, tumble_v(0, 1, 0), 0, -1);
 }
 
 // Boxes, balls, hulls and capsules that fall into each other.
@@ -33,19 +33,21 @@ static void pile(scene *s)
 {
     tumble_world *w = s->w;
     tumble_shape kind[] = {
-        tumble_box(w, tumble_v(0.4, 0.3, 0.5), 2), tumble_sphere(w, 0.2, 1),
-        tumble_icosahedron(w, 0.25, 1), tumble_capsule(w, 0.4, 0.1, 0.5),
+        tumble_shape_box(w, tumble_v(0.4, 0.3, 0.5), 2),
+        tumble_shape_sphere(w, 0.2, 1),
+        tumble_shape_icosahedron(w, 0.25, 1),
+        tumble_shape_capsule(w, 0.4, 0.1, 0.5),
         family_prism(w, 12, 0.3, 0.1, 1)
     };
     family_seed seed = 180;
     add_floor(w);
     for (int i = 0; i < 40; i++) {
-        tumble_body_options o = tumble_at(0.3 * (i % 3), 0.5 + 0.25 * i,
-                                          0.3 * (i / 3 % 3));
+        tumble_body_options o = tumble_body_at(0.3 * (i % 3), 0.5 + 0.25 * i,
+                                               0.3 * (i / 3 % 3));
         o.pose.rotation = family_rotation(&seed);
         o.spin = v_scale(3, family_direction(&seed));
         o.restitution = 0.2 * (i % 4);
-        tumble_add(w, kind[i % 5], o);
+        tumble_body_add(w, kind[i % 5], o);
     }
 }
 
@@ -53,19 +55,20 @@ static void pile(scene *s)
 static void sleepers(scene *s)
 {
     add_floor(s->w);
-    tumble_shape box = tumble_box(s->w, tumble_v(0.5, 0.5, 0.5), 1);
+    tumble_shape box = tumble_shape_box(s->w, tumble_v(0.5, 0.5, 0.5), 1);
     for (int i = 0; i < 20; i++)
-        tumble_add(s->w, box, tumble_at(i / 4, 0.25 + 0.5 * (i % 4), 0));
+        tumble_body_add(s->w, box,
+                        tumble_body_at(i / 4, 0.25 + 0.5 * (i % 4), 0));
 }
 
 // A box on a ball joint, which spins about no axis of its own.
 static void spin_box(scene *s, double spin)
 {
-    tumble_shape box = tumble_box(s->w, tumble_v(1, 0.2, 0.1), 1);
-    tumble_body_options o = tumble_at(0, 3, 0);
+    tumble_shape box = tumble_shape_box(s->w, tumble_v(1, 0.2, 0.1), 1);
+    tumble_body_options o = tumble_body_at(0, 3, 0);
     o.spin = tumble_v(0.3 * spin, 0.5 * spin, 0.6 * spin);
-    tumble_body b = tumble_add(s->w, box, o);
-    tumble_ball(s->w, tumble_ground(), b, tumble_v(0.5, 3, 0));
+    tumble_body b = tumble_body_add(s->w, box, o);
+    tumble_joint_ball(s->w, tumble_body_ground(), b, tumble_v(0.5, 3, 0));
 }
 
 static void spin_10(scene *s)  { spin_box(s, 10); }
@@ -78,36 +81,38 @@ static void spin_400(scene *s) { spin_box(s, 400); }
 static void joints(scene *s)
 {
     tumble_world *w = s->w;
-    tumble_shape box = tumble_box(w, tumble_v(0.5, 0.1, 0.1), 1);
-    tumble_body link[5], before = tumble_ground();
+    tumble_shape box = tumble_shape_box(w, tumble_v(0.5, 0.1, 0.1), 1);
+    tumble_body link[5], before = tumble_body_ground();
     for (int i = 0; i < 5; i++) {
         tumble_vec3 at = { 0.5 * i, 3, 0 };
-        link[i] = tumble_add(w, box, tumble_at(at.x + 0.25, 3, 0));
+        link[i] = tumble_body_add(w, box, tumble_body_at(at.x + 0.25, 3, 0));
         if (i == 1) {
-            tumble_joint j = tumble_hinge(w, before, link[i], at,
-                                          tumble_v(0, 0, 1));
-            tumble_set_limits(w, j, -0.4, 0.4);
-        } else if (i == 2) tumble_fix(w, before, link[i], at);
-        else if (i == 3) tumble_distance(w, before, at, link[i], at, 0, 0.1);
-        else tumble_ball(w, before, link[i], at);
+            tumble_joint j = tumble_joint_hinge(w, before, link[i], at,
+                                                tumble_v(0, 0, 1));
+            tumble_joint_set_limits(w, j, -0.4, 0.4);
+        } else if (i == 2) tumble_joint_fixed(w, before, link[i], at);
+        else if (i == 3)
+            tumble_joint_distance(w, before, at, link[i], at, 0, 0.1);
+        else tumble_joint_ball(w, before, link[i], at);
         before = link[i];
     }
-    tumble_body ball = tumble_add(w, tumble_sphere(w, 0.2, 20),
-                                  tumble_at(2.7, 3, 0));
-    tumble_joint last = tumble_ball(w, before, ball, tumble_v(2.5, 3, 0));
-    tumble_set_strength(w, last, 500);
+    tumble_body ball = tumble_body_add(w, tumble_shape_sphere(w, 0.2, 20),
+                                       tumble_body_at(2.7, 3, 0));
+    tumble_joint last = tumble_joint_ball(w, before, ball, tumble_v(2.5, 3, 0));
+    tumble_joint_set_strength(w, last, 500);
 }
 
 static void wheel(scene *s)
 {
     tumble_world *w = s->w;
-    tumble_body arm = tumble_add(w, tumble_box(w, tumble_v(1, 0.1, 0.1), 1),
-                                 tumble_at(0.5, 2, 0));
-    tumble_body_options o = tumble_at(1, 2, 0);
+    tumble_body arm =
+        tumble_body_add(w, tumble_shape_box(w, tumble_v(1, 0.1, 0.1), 1),
+                        tumble_body_at(0.5, 2, 0));
+    tumble_body_options o = tumble_body_at(1, 2, 0);
     o.spin = tumble_v(0, 60, 0);
-    tumble_body disk = tumble_add(w, family_prism(w, 16, 0.3, 0.1, 2), o);
-    tumble_ball(w, tumble_ground(), arm, tumble_v(0, 2, 0));
-    tumble_hinge(w, arm, disk, tumble_v(1, 2, 0), tumble_v(0, 1, 0));
+    tumble_body disk = tumble_body_add(w, family_prism(w, 16, 0.3, 0.1, 2), o);
+    tumble_joint_ball(w, tumble_body_ground(), arm, tumble_v(0, 2, 0));
+    tumble_joint_hinge(w, arm, disk, tumble_v(1, 2, 0), tumble_v(0, 1, 0));
 }
 
 // A cloth that falls on a box, and one that hangs on two of its corners.
@@ -115,31 +120,32 @@ static void cloths(scene *s)
 {
     tumble_world *w = s->w;
     add_floor(w);
-    tumble_body_options o = tumble_at(0, 0.5, 0);
+    tumble_body_options o = tumble_body_at(0, 0.5, 0);
     o.kind = TUMBLE_STATIC;
-    tumble_add(w, tumble_box(w, tumble_v(1, 1, 1), 1), o);
-    tumble_shape cloth = tumble_cloth(w, 12, 12, 2, 2, 0.4);
-    tumble_add(w, cloth, tumble_at(0.1, 1.3, 0.2));
-    tumble_body hung = tumble_add(w, cloth, tumble_at(0, 2, 5));
-    tumble_pin(w, hung, 0);
-    tumble_pin(w, hung, 11);
-    tumble_set_bending(w, hung, 1e-3);
-    tumble_set_stretch(w, hung, 1e-4);
+    tumble_body_add(w, tumble_shape_box(w, tumble_v(1, 1, 1), 1), o);
+    tumble_shape cloth = tumble_shape_cloth(w, 12, 12, 2, 2, 0.4);
+    tumble_body_add(w, cloth, tumble_body_at(0.1, 1.3, 0.2));
+    tumble_body hung = tumble_body_add(w, cloth, tumble_body_at(0, 2, 5));
+    tumble_body_pin(w, hung, 0);
+    tumble_body_pin(w, hung, 11);
+    tumble_body_set_bending(w, hung, 1e-3);
+    tumble_body_set_stretch(w, hung, 1e-4);
 }
 
 // A rope over a bar, with a box hung on its end.
 static void rope(scene *s)
 {
     tumble_world *w = s->w;
-    tumble_body_options o = tumble_at(0, 1, 0);
+    tumble_body_options o = tumble_body_at(0, 1, 0);
     o.kind = TUMBLE_STATIC;
-    tumble_add(w, tumble_box(w, tumble_v(0.3, 0.3, 2), 1), o);
-    tumble_body r = tumble_add(w, tumble_rope(w, 24, 2, 0.3),
-                               tumble_at(0.2, 1.3, 0));
-    tumble_body box = tumble_add(w, tumble_box(w, tumble_v(0.2, 0.2, 0.2), 1),
-                                 tumble_at(1.3, 1.3, 0));
-    tumble_hang(w, r, 24, box);
-    tumble_pin(w, r, 0);
+    tumble_body_add(w, tumble_shape_box(w, tumble_v(0.3, 0.3, 2), 1), o);
+    tumble_body r = tumble_body_add(w, tumble_shape_rope(w, 24, 2, 0.3),
+                                    tumble_body_at(0.2, 1.3, 0));
+    tumble_body box =
+        tumble_body_add(w, tumble_shape_box(w, tumble_v(0.2, 0.2, 0.2), 1),
+                        tumble_body_at(1.3, 1.3, 0));
+    tumble_joint_hang(w, r, 24, box);
+    tumble_body_pin(w, r, 0);
 }
 
 // A bar that turns, a plate that goes to and fro, and what lies between.
@@ -148,21 +154,22 @@ static void turn_about(tumble_world *w, const tumble_body *b, int many,
 {
     double side = step / 30 % 2 ? 1 : -1;
     (void)many;
-    tumble_set_velocity(w, b[1], tumble_v(side, 0, 0), tumble_v(0, 0, 0));
+    tumble_body_set_velocity(w, b[1], tumble_v(side, 0, 0), tumble_v(0, 0, 0));
 }
 
 static void driven(scene *s)
 {
     pile(s);
-    tumble_body_options o = tumble_at(0, 0.3, 0);
+    tumble_body_options o = tumble_body_at(0, 0.3, 0);
     o.kind = TUMBLE_KINEMATIC;
     o.spin = tumble_v(0, 3, 0);
-    s->driven[0] = tumble_add(s->w, tumble_box(s->w, tumble_v(4, 0.4, 0.2), 1),
-                              o);
-    o = tumble_at(2.5, 0.5, 0);
+    s->driven[0] =
+        tumble_body_add(s->w, tumble_shape_box(s->w, tumble_v(4, 0.4, 0.2), 1),
+                        o);
+    o = tumble_body_at(2.5, 0.5, 0);
     o.kind = TUMBLE_KINEMATIC;
-    tumble_shape plate = tumble_box(s->w, tumble_v(0.2, 1, 4), 1);
-    s->driven[1] = tumble_add(s->w, plate, o);
+    tumble_shape plate = tumble_shape_box(s->w, tumble_v(0.2, 1, 4), 1);
+    s->driven[1] = tumble_body_add(s->w, plate, o);
     s->many = 2;
     s->drive = turn_about;
 }
@@ -173,22 +180,24 @@ static void push_about(tumble_world *w, const tumble_body *b, int many,
                        int step)
 {
     for (int i = 0; i < many; i++) {
-        tumble_force(w, b[i], tumble_v(step % 7 - 3, 12, i - 2), tumble_v(0, 1,
-                                                                          0));
+        tumble_body_force(w, b[i], tumble_v(step % 7 - 3, 12, i - 2),
+                          tumble_v(0, 1, 0));
         if (step % 20 == i)
-            tumble_push(w, b[i], tumble_v(0, 0.5, 0.3),
-                        tumble_position(w, b[i]));
-        if (step % 50 == 10 * i) tumble_set_material(w, b[i], 0.1 * i, 0.5);
-        if (step % 60 == 11 * i) tumble_set_damping(w, b[i], 0.2 * i, 0.1);
+            tumble_body_push(w, b[i], tumble_v(0, 0.5, 0.3),
+                             tumble_body_position(w, b[i]));
+        if (step % 50 == 10 * i)
+            tumble_body_set_material(w, b[i], 0.1 * i, 0.5);
+        if (step % 60 == 11 * i) tumble_body_set_damping(w, b[i], 0.2 * i, 0.1);
     }
 }
 
 static void pushed(scene *s)
 {
     add_floor(s->w);
-    tumble_shape box = tumble_box(s->w, tumble_v(0.5, 0.5, 0.5), 1);
+    tumble_shape box = tumble_shape_box(s->w, tumble_v(0.5, 0.5, 0.5), 1);
     for (int i = 0; i < MOST_TURNED; i++)
-        s->driven[i] = tumble_add(s->w, box, tumble_at(0.7 * i, 0.4, 0));
+        s->driven[i] = tumble_body_add(s->w, box,
+                                       tumble_body_at(0.7 * i, 0.4, 0));
     s->many = MOST_TURNED;
     s->drive = push_about;
 }
@@ -197,24 +206,24 @@ static void pushed(scene *s)
 static void thrown(scene *s)
 {
     tumble_world *w = s->w;
-    tumble_shape piece[9], box = tumble_box(w, tumble_v(2, 0.2, 2), 1);
+    tumble_shape piece[9], box = tumble_shape_box(w, tumble_v(2, 0.2, 2), 1);
     tumble_pose at[9];
     for (int i = 0; i < 9; i++) {
         piece[i] = box;
         at[i] = (tumble_pose){ { 2 * (i % 3) - 2, -0.1, 2 * (i / 3) - 2 },
                                { 0, 0, 0, 1 } };
     }
-    tumble_add_pieces(w, piece, at, 9, tumble_at(0, 0, 0));
-    tumble_shape plate = tumble_box(w, tumble_v(1, 1, 0.02), 1);
-    tumble_shape ball = tumble_sphere(w, 0.05, 0.1);
+    tumble_body_add_pieces(w, piece, at, 9, tumble_body_at(0, 0, 0));
+    tumble_shape plate = tumble_shape_box(w, tumble_v(1, 1, 0.02), 1);
+    tumble_shape ball = tumble_shape_sphere(w, 0.05, 0.1);
     for (int i = 0; i < 5; i++) {
-        tumble_add(w, plate, tumble_at(0, 0.5 + 1.1 * i, -1));
+        tumble_body_add(w, plate, tumble_body_at(0, 0.5 + 1.1 * i, -1));
         for (int k = 1; k < 5; k++) {
-            tumble_body_options o = tumble_at(0.2 * k - 0.5, 0.5 + 1.1 * i,
-                                              5 * k);
+            tumble_body_options o = tumble_body_at(0.2 * k - 0.5, 0.5 + 1.1 * i,
+                                                   5 * k);
             o.velocity = tumble_v(0, 1, -60.0 * k);
             o.spin = tumble_v(0, 200, 0);
-            tumble_add(w, ball, o);
+            tumble_body_add(w, ball, o);
         }
     }
 }
@@ -235,7 +244,7 @@ enum { SCENES = sizeof KINDS / sizeof *KINDS };
 
 static scene scene_begin(const scene_kind *kind, const tumble_options *o)
 {
-    scene s = { .w = tumble_make(o) };
+    scene s = { .w = tumble_world_make(o) };
     if (s.w) kind->build(&s);
     return s;
 }
@@ -243,7 +252,7 @@ static scene scene_begin(const scene_kind *kind, const tumble_options *o)
 static void scene_step(scene *s, int step)
 {
     if (s->drive) s->drive(s->w, s->driven, s->many, step);
-    tumble_step(s->w);
+    tumble_world_step(s->w);
 }
 
 // All that a program can ask of a body, in one number: FNV-1a.
@@ -260,19 +269,19 @@ static unsigned long long scene_hash(const scene *s)
 {
     enum { MOST = 256 };
     tumble_body all[MOST];
-    unsigned long long h = tumble_hash(s->w);
-    int n = tumble_bodies(s->w, all, MOST);
+    unsigned long long h = tumble_world_hash(s->w);
+    int n = tumble_world_bodies(s->w, all, MOST);
     for (int i = 0; i < n && i < MOST; i++) {
-        tumble_pose p = tumble_get_pose(s->w, all[i]);
-        tumble_vec3 v = tumble_velocity(s->w, all[i]);
-        tumble_vec3 spin = tumble_spin(s->w, all[i]);
-        int awake = tumble_is_awake(s->w, all[i]);
+        tumble_pose p = tumble_body_pose(s->w, all[i]);
+        tumble_vec3 v = tumble_body_velocity(s->w, all[i]);
+        tumble_vec3 spin = tumble_body_spin(s->w, all[i]);
+        int awake = tumble_body_is_awake(s->w, all[i]);
         h = hash_more(h, &p, sizeof p);
         h = hash_more(h, &v, sizeof v);
         h = hash_more(h, &spin, sizeof spin);
         h = hash_more(h, &awake, sizeof awake);
     }
-    tumble_report said = tumble_last_step(s->w);
+    tumble_report said = tumble_world_last_step(s->w);
     return hash_more(h, &said, sizeof said);
 }
 
@@ -283,11 +292,11 @@ static unsigned long long scene_hash(const scene *s)
 static scene scene_copy(const scene *s)
 {
     scene copy = *s;
-    size_t size = tumble_save(s->w, NULL, 0);
+    size_t size = tumble_world_save(s->w, NULL, 0);
     void *bytes = malloc(size);
     copy.w = NULL;
-    if (bytes && tumble_save(s->w, bytes, size) == size)
-        copy.w = tumble_load(bytes, size);
+    if (bytes && tumble_world_save(s->w, bytes, size) == size)
+        copy.w = tumble_world_load(bytes, size);
     free(bytes);
     return copy;
 }
@@ -315,8 +324,8 @@ static void save_after(hard_report *r, family_worst *next, family_worst *later,
         family_trial(later, differ, "%s, after %d steps of 1/%.0f", kind->name,
                      before, 1 / dt);
     }
-    tumble_free(s.w);
-    tumble_free(copy.w);
+    tumble_world_free(s.w);
+    tumble_world_free(copy.w);
 }
 
 static void save_and_load(hard_report *r, int fast)
@@ -350,9 +359,9 @@ static void save_always(hard_report *r, int fast)
         int off = 0, other = 0;
         for (int n = 0; n < (fast ? 20 : 120) && moved.w; n++) {
             scene copy = scene_copy(&saved);
-            tumble_free(copy.w);
+            tumble_world_free(copy.w);
             copy = scene_copy(&moved);
-            tumble_free(moved.w);
+            tumble_world_free(moved.w);
             moved = copy;
             scene_step(&plain, n);
             scene_step(&saved, n);
@@ -365,9 +374,9 @@ static void save_always(hard_report *r, int fast)
             family_trial(&asked, off, "%s", KINDS[k].name);
             family_trial(&carried, other, "%s", KINDS[k].name);
         }
-        tumble_free(plain.w);
-        tumble_free(saved.w);
-        tumble_free(moved.w);
+        tumble_world_free(plain.w);
+        tumble_world_free(saved.w);
+        tumble_world_free(moved.w);
     }
     family_add(r, &asked, "", "steps with other bits if saved in each");
     family_add(r, &carried, "", "steps with other bits if loaded in each");
@@ -452,8 +461,8 @@ static void threads(hard_report *r, int fast)
             }
             if (family_ok(r, plain.w) && family_ok(r, other.w))
                 family_trial(&differ, off, "%s, %s", KINDS[k].name, name[i]);
-            tumble_free(plain.w);
-            tumble_free(other.w);
+            tumble_world_free(plain.w);
+            tumble_world_free(other.w);
         }
     family_add(r, &differ, "", "steps with other bits on threads");
 }
@@ -474,7 +483,7 @@ static void again(hard_report *r, int fast)
             if (pass == 0) first[k] = h;
             else if (family_ok(r, s.w))
                 family_trial(&differ, h != first[k], "%s", KINDS[k].name);
-            tumble_free(s.w);
+            tumble_world_free(s.w);
         }
     family_add(r, &differ, "", "scenes with other bits the second time");
 }

@@ -62,9 +62,9 @@ static tumble_shape shape_of(tumble_world *w, const view *f, int i, double size)
 {
     double s = size * f->length, mass = 1000 * size * size * size * f->mass;
     switch (i % 3) {
-    case 0:  return tumble_sphere(w, s / 2, mass);
-    case 1:  return tumble_capsule(w, s / 2, s / 4, mass);
-    default: return tumble_box(w, tumble_v(s, 0.75 * s, 0.5 * s), mass);
+    case 0:  return tumble_shape_sphere(w, s / 2, mass);
+    case 1:  return tumble_shape_capsule(w, s / 2, s / 4, mass);
+    default: return tumble_shape_box(w, tumble_v(s, 0.75 * s, 0.5 * s), mass);
     }
 }
 
@@ -75,26 +75,26 @@ static tumble_shape calm_body(tumble_world *w, const view *f, int i,
     double s = f->length, mass = 100 * f->mass;
     double slow = 1 + 0.5 * (i % 4);
     if (i < 4) {
-        *o = tumble_at(0, 0.2505 + 0.5005 * i, 0);
-        return tumble_box(w, tumble_v(s / 2, s / 2, s / 2), mass);
+        *o = tumble_body_at(0, 0.2505 + 0.5005 * i, 0);
+        return tumble_shape_box(w, tumble_v(s / 2, s / 2, s / 2), mass);
     }
     if (i < 8) {
-        *o = tumble_at(2, 0.1255, 2 * (i - 6));
+        *o = tumble_body_at(2, 0.1255, 2 * (i - 6));
         o->velocity = tumble_v(slow, 0, 0.5);
-        o->pose.rotation = tumble_turn(tumble_v(0, 1, 0), 0.2 * i);
-        return tumble_box(w, tumble_v(s / 2, s / 4, s / 2), mass);
+        o->pose.rotation = tumble_quat_turn(tumble_v(0, 1, 0), 0.2 * i);
+        return tumble_shape_box(w, tumble_v(s / 2, s / 4, s / 2), mass);
     }
-    *o = tumble_at(-2, i % 2 ? 0.2505 : 1, 2 * (i - 10));
+    *o = tumble_body_at(-2, i % 2 ? 0.2505 : 1, 2 * (i - 10));
     o->velocity = tumble_v(-slow, 0, 0.3);
-    return tumble_sphere(w, s / 4, mass);
+    return tumble_shape_sphere(w, s / 4, mass);
 }
 
 static tumble_shape heap_body(tumble_world *w, const view *f, int i,
                               tumble_body_options *o)
 {
     family_seed s = 1000u + (unsigned)i;
-    *o = tumble_at(0.25 * (i % 3 - 1) + 0.0625, 0.6 + 0.5 * (i / 3),
-                   0.25 * (i % 2) + 0.03125);
+    *o = tumble_body_at(0.25 * (i % 3 - 1) + 0.0625, 0.6 + 0.5 * (i / 3),
+                        0.25 * (i % 2) + 0.03125);
     o->pose.rotation = family_rotation(&s);
     o->spin = v_scale(2, family_direction(&s));
     return shape_of(w, f, i, 0.5);
@@ -106,8 +106,8 @@ static tumble_shape pairs_body(tumble_world *w, const view *f, int i,
 {
     int pair = i / 2, upper = i % 2;
     family_seed s = 2000u + (unsigned)i;
-    *o = tumble_at(3 * (pair % 3 - 1) + 0.1 * upper, upper ? 1.1 : 0.3,
-                   3 * (pair / 3) + 0.07 * upper);
+    *o = tumble_body_at(3 * (pair % 3 - 1) + 0.1 * upper, upper ? 1.1 : 0.3,
+                        3 * (pair / 3) + 0.07 * upper);
     o->pose.rotation = family_rotation(&s);
     return shape_of(w, f, pair + upper, 0.5);
 }
@@ -125,19 +125,20 @@ static tumble_body add_seen(tumble_world *w, const view *f, scene k, int i)
     tumble_vec3 spin = put_vector(f, o.spin);
     if (f->mirror) spin = v_scale(-1, spin);
     o.spin = v_scale(1 / f->time, spin);
-    return tumble_add(w, s, o);
+    return tumble_body_add(w, s, o);
 }
 
 // A wide kinematic box, since a plane cannot move.
 static void add_floor(tumble_world *w, const view *f)
 {
-    tumble_body_options o = tumble_at(0, 0, 0);
+    tumble_body_options o = tumble_body_at(0, 0, 0);
     o.kind = TUMBLE_KINEMATIC;
     o.pose.position = put_position(f, tumble_v(0, -2, 0), 0);
     o.pose.rotation = f->turn;
     o.velocity = f->drift;
     double a = f->length;
-    tumble_add(w, tumble_box(w, tumble_v(32 * a, 4 * a, 32 * a), 1), o);
+    tumble_body_add(w, tumble_shape_box(w, tumble_v(32 * a, 4 * a, 32 * a), 1),
+                    o);
 }
 
 // Plays the scene, and writes where its bodies are then.
@@ -152,17 +153,17 @@ static void play(hard_report *r, const view *f, scene k,
     o.friction = 0.5;
     o.restitution = 0.25;
     o.gravity = v_scale(speed / f->time, v_turn(f->turn, o.gravity));
-    tumble_world *w = tumble_make(&o);
+    tumble_world *w = tumble_world_make(&o);
     tumble_body body[BODIES];
     add_floor(w, f);
     for (int n = 0; n < BODIES; n++) {
         int i = f->reversed ? BODIES - 1 - n : n;
         body[i] = add_seen(w, f, k, i);
     }
-    for (int n = 0; n < frames[k]; n++) tumble_step(w);
-    for (int i = 0; i < BODIES; i++) out[i] = tumble_position(w, body[i]);
+    for (int n = 0; n < frames[k]; n++) tumble_world_step(w);
+    for (int i = 0; i < BODIES; i++) out[i] = tumble_body_position(w, body[i]);
     family_ok(r, w);
-    tumble_free(w);
+    tumble_world_free(w);
 }
 
 // How far apart are the two at most, in metres of the plain one?
@@ -294,16 +295,16 @@ static void push_over(hard_report *r, family_worst *way, family_worst *aside,
                       double angle, double mu, double speed, double turn)
 {
     tumble_options o = family_options(1 / 60.0, mu);
-    tumble_world *w = tumble_make(&o);
-    tumble_add_plane(w, tumble_v(0, 1, 0), 0, -1);
+    tumble_world *w = tumble_world_make(&o);
+    tumble_plane_add(w, tumble_v(0, 1, 0), 0, -1);
     tumble_vec3 ahead = { cos(angle), 0, sin(angle) };
-    tumble_body_options b = tumble_at(0, 0.1, 0);
+    tumble_body_options b = tumble_body_at(0, 0.1, 0);
     b.velocity = v_scale(speed, ahead);
-    b.pose.rotation = tumble_turn(tumble_v(0, 1, 0), turn);
-    tumble_shape slider = tumble_box(w, tumble_v(0.4, 0.2, 0.4), 10);
-    tumble_body box = tumble_add(w, slider, b);
+    b.pose.rotation = tumble_quat_turn(tumble_v(0, 1, 0), turn);
+    tumble_shape slider = tumble_shape_box(w, tumble_v(0.4, 0.2, 0.4), 10);
+    tumble_body box = tumble_body_add(w, slider, b);
     family_run(w, 1.5 * speed / (mu * FAMILY_G));
-    tumble_vec3 x = tumble_position(w, box);
+    tumble_vec3 x = tumble_body_position(w, box);
     double ideal = speed * speed / (2 * mu * FAMILY_G), along = v_dot(x, ahead);
     x.y = 0;
 #define HERE "at %.0f degrees, turned by %.1f, mu %g, %g m/s", \
@@ -312,7 +313,7 @@ static void push_over(hard_report *r, family_worst *way, family_worst *aside,
     family_trial(aside, v_distance(x, v_scale(along, ahead)) / ideal, HERE);
 #undef HERE
     family_ok(r, w);
-    tumble_free(w);
+    tumble_world_free(w);
 }
 
 // Does a box stay on a slope of `part` of mu, that falls in this direction?
@@ -322,14 +323,15 @@ static double slides_down(hard_report *r, double angle, double mu, double part)
     double slope = atan(part * mu);
     o.gravity = v_scale(FAMILY_G, tumble_v(sin(slope) * cos(angle), -cos(slope),
                                            sin(slope) * sin(angle)));
-    tumble_world *w = tumble_make(&o);
-    tumble_add_plane(w, tumble_v(0, 1, 0), 0, -1);
-    tumble_body b = tumble_add(w, tumble_box(w, tumble_v(0.4, 0.1, 0.4), 10),
-                               tumble_at(0, 0.05, 0));
+    tumble_world *w = tumble_world_make(&o);
+    tumble_plane_add(w, tumble_v(0, 1, 0), 0, -1);
+    tumble_body b =
+        tumble_body_add(w, tumble_shape_box(w, tumble_v(0.4, 0.1, 0.4), 10),
+                        tumble_body_at(0, 0.05, 0));
     family_run(w, 4);
-    tumble_vec3 x = tumble_position(w, b);
+    tumble_vec3 x = tumble_body_position(w, b);
     family_ok(r, w);
-    tumble_free(w);
+    tumble_world_free(w);
     return hypot(x.x, x.z);
 }
 
@@ -369,26 +371,26 @@ static void passive(hard_report *r, family_worst *gain, double size, double e,
 {
     tumble_options o = family_options(step, family_between(s, 0, 1));
     o.restitution = e;
-    tumble_world *w = tumble_make(&o);
-    tumble_add_plane(w, tumble_v(0, 1, 0), 0, -1);
-    tumble_add_plane(w, tumble_v(1, 0.3, 0), -3 * size, -1);
-    tumble_add_plane(w, tumble_v(-1, 0.3, 0), -3 * size, -1);
-    tumble_add_plane(w, tumble_v(0, 0.3, 1), -3 * size, -1);
-    tumble_add_plane(w, tumble_v(0, 0.3, -1), -3 * size, -1);
+    tumble_world *w = tumble_world_make(&o);
+    tumble_plane_add(w, tumble_v(0, 1, 0), 0, -1);
+    tumble_plane_add(w, tumble_v(1, 0.3, 0), -3 * size, -1);
+    tumble_plane_add(w, tumble_v(-1, 0.3, 0), -3 * size, -1);
+    tumble_plane_add(w, tumble_v(0, 0.3, 1), -3 * size, -1);
+    tumble_plane_add(w, tumble_v(0, 0.3, -1), -3 * size, -1);
     view f = plain_view();
     f.length = size;
     for (int i = 0; i < 24; i++) {
-        tumble_body_options b = tumble_at(1.3 * size * (i % 3 - 1),
-                                          1.2 * size * (1 + i / 9),
-                                          1.3 * size * (i / 3 % 3 - 1));
+        tumble_body_options b = tumble_body_at(1.3 * size * (i % 3 - 1),
+                                               1.2 * size * (1 + i / 9),
+                                               1.3 * size * (i / 3 % 3 - 1));
         b.pose.rotation = family_rotation(s);
         b.velocity = v_scale(sqrt(size * FAMILY_G), family_direction(s));
-        tumble_add(w, shape_of(w, &f, i, 1), b);
+        tumble_body_add(w, shape_of(w, &f, i, 1), b);
     }
     double before = family_energy(w), least = before, worst = 0;
     int steps = (int)(5 / step);
     for (int n = 0; n < steps; n++) {
-        tumble_step(w);
+        tumble_world_step(w);
         double now = family_energy(w);
         worst = hard_worse(worst, (now - least) / before);
         if (now < least) least = now;
@@ -396,7 +398,7 @@ static void passive(hard_report *r, family_worst *gain, double size, double e,
     family_trial(gain, worst, "24 bodies of %g m, e %g, dt 1/%.0f", size, e,
                  1 / step);
     family_ok(r, w);
-    tumble_free(w);
+    tumble_world_free(w);
 }
 
 static void no_gain(hard_report *r, int fast)

@@ -13,19 +13,19 @@
 static void stand(hard_report *r, int n, double side, tumble_options o,
                   double *sag, double *aside)
 {
-    tumble_world *w = tumble_make(&o);
-    tumble_add_plane(w, tumble_v(0, 1, 0), 0, -1);
-    tumble_shape cube = tumble_box(w, tumble_v(side, side, side),
-                                   1000 * side * side * side);
-    tumble_body top = tumble_ground();
+    tumble_world *w = tumble_world_make(&o);
+    tumble_plane_add(w, tumble_v(0, 1, 0), 0, -1);
+    tumble_shape cube = tumble_shape_box(w, tumble_v(side, side, side),
+                                         1000 * side * side * side);
+    tumble_body top = tumble_body_ground();
     for (int i = 0; i < n; i++)
-        top = tumble_add(w, cube, tumble_at(0, (i + 0.5) * side, 0));
+        top = tumble_body_add(w, cube, tumble_body_at(0, (i + 0.5) * side, 0));
     family_run(w, 10);
-    tumble_vec3 x = tumble_position(w, top);
+    tumble_vec3 x = tumble_body_position(w, top);
     *sag = fabs((n - 0.5) * side - x.y) / (n * side);
     *aside = hypot(x.x, x.z) / side;
     family_ok(r, w);
-    tumble_free(w);
+    tumble_world_free(w);
 }
 
 // What carries k cubes is pressed into the one below it, as a soft contact is:
@@ -100,11 +100,11 @@ static void sag_law(hard_report *r, int fast)
 
 static void add_bin(tumble_world *w, double half)
 {
-    tumble_add_plane(w, tumble_v(0, 1, 0), 0, -1);
-    tumble_add_plane(w, tumble_v(1, 0, 0), -half, -1);
-    tumble_add_plane(w, tumble_v(-1, 0, 0), -half, -1);
-    tumble_add_plane(w, tumble_v(0, 0, 1), -half, -1);
-    tumble_add_plane(w, tumble_v(0, 0, -1), -half, -1);
+    tumble_plane_add(w, tumble_v(0, 1, 0), 0, -1);
+    tumble_plane_add(w, tumble_v(1, 0, 0), -half, -1);
+    tumble_plane_add(w, tumble_v(-1, 0, 0), -half, -1);
+    tumble_plane_add(w, tumble_v(0, 0, 1), -half, -1);
+    tumble_plane_add(w, tumble_v(0, 0, -1), -half, -1);
 }
 
 // 60 cubes and balls in a bin of 14 x 14 sizes, of which a paddle stirs the
@@ -114,31 +114,31 @@ static void stir(hard_report *r, family_worst *deep, family_worst *fast_one,
 {
     enum { BODIES = 60 };
     tumble_options o = family_options(step, 0.5);
-    tumble_world *w = tumble_make(&o);
+    tumble_world *w = tumble_world_make(&o);
     double half = 7 * size, mass = 1000 * size * size * size;
     add_bin(w, half);
-    tumble_body_options p = tumble_at(0, 1.5 * size, 0);
+    tumble_body_options p = tumble_body_at(0, 1.5 * size, 0);
     p.kind = TUMBLE_KINEMATIC;
     p.spin = tumble_v(0, tips / (3 * size), 0);
     tumble_vec3 sides = { 6 * size, 2 * size, 0.5 * size };
-    tumble_add(w, tumble_box(w, sides, 1), p);
-    tumble_shape cube = tumble_box(w, tumble_v(size, size, size), mass);
-    tumble_shape ball = tumble_sphere(w, size / 2, mass);
+    tumble_body_add(w, tumble_shape_box(w, sides, 1), p);
+    tumble_shape cube = tumble_shape_box(w, tumble_v(size, size, size), mass);
+    tumble_shape ball = tumble_shape_sphere(w, size / 2, mass);
     tumble_body body[BODIES];
     for (int i = 0; i < BODIES; i++) {
         double x = i % 6 - 2.5, z = i / 6 % 6 - 2.5, y = 3.5 + i / 36 * 1.5;
-        body[i] = tumble_add(w, i % 2 ? cube : ball,
-                             tumble_at(1.4 * size * x, size * y,
-                                       1.4 * size * z));
+        body[i] = tumble_body_add(w, i % 2 ? cube : ball,
+                                  tumble_body_at(1.4 * size * x, size * y,
+                                                 1.4 * size * z));
     }
     // A body may be thrown up at the tip's speed, and falls from there.
     double allowed = tips + sqrt(2 * FAMILY_G * 6 * size);
     double deepest = 0, fastest = 0;
     for (double time = 0; time < 10; time += step) {
-        tumble_step(w);
-        deepest = hard_worse(deepest, tumble_measure(w).penetration);
+        tumble_world_step(w);
+        deepest = hard_worse(deepest, tumble_world_measure(w).penetration);
         for (int i = 0; i < BODIES; i++) {
-            double speed = v_length(tumble_velocity(w, body[i]));
+            double speed = v_length(tumble_body_velocity(w, body[i]));
             fastest = hard_worse(fastest, speed);
         }
     }
@@ -147,7 +147,7 @@ static void stir(hard_report *r, family_worst *deep, family_worst *fast_one,
     family_trial(fast_one, fastest / allowed, HERE);
 #undef HERE
     family_ok(r, w);
-    tumble_free(w);
+    tumble_world_free(w);
 }
 
 static void paddle(hard_report *r, int fast)

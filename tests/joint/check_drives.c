@@ -23,7 +23,7 @@ static tumble_joint joint_now;
 
 static void end_world(void)
 {
-    tumble_free(w);
+    tumble_world_free(w);
     w = NULL;
 }
 
@@ -35,21 +35,22 @@ static void begin_world(double dt, double down)
     o.dt = dt;
     o.gravity = tumble_v(0, -down, 0);
     o.sleep_speed = 0;
-    w = tumble_make(&o);
+    w = tumble_world_make(&o);
     ck_assert_ptr_nonnull(w);
 }
 
 static tumble_body box_at(double x, double y, double z, tumble_vec3 sides,
                           double mass)
 {
-    return tumble_add(w, tumble_box(w, sides, mass), tumble_at(x, y, z));
+    return tumble_body_add(w, tumble_shape_box(w, sides, mass),
+                           tumble_body_at(x, y, z));
 }
 
 static void go(double seconds, double dt)
 {
     int n = (int)(seconds / dt + 0.5);
-    for (int k = 0; k < n; k++) tumble_step(w);
-    ck_assert_msg(!tumble_failure(w), "%s", tumble_failure(w));
+    for (int k = 0; k < n; k++) tumble_world_step(w);
+    ck_assert_msg(!tumble_world_failure(w), "%s", tumble_world_failure(w));
 }
 
 // A cube whose centre is so many sides beside a hinge of the ground along z;
@@ -58,8 +59,8 @@ static double hang_cube(double side, double beside, double mass)
 {
     double arm = beside * side;
     body = box_at(arm, 0, 0, tumble_v(side, side, side), mass);
-    joint_now = tumble_hinge(w, tumble_ground(), body, tumble_v(0, 0, 0),
-                             tumble_v(0, 0, 1));
+    joint_now = tumble_joint_hinge(w, tumble_body_ground(), body,
+                                   tumble_v(0, 0, 0), tumble_v(0, 0, 1));
     return mass * (side * side / 6 + arm * arm);
 }
 
@@ -67,7 +68,8 @@ static double hang_cube(double side, double beside, double mass)
 static void slide_cube(double side, double mass, tumble_vec3 axis)
 {
     body = box_at(0, 0, 0, tumble_v(side, side, side), mass);
-    joint_now = tumble_slider(w, tumble_ground(), body, tumble_v(0, 0, 0), axis);
+    joint_now = tumble_joint_slider(w, tumble_body_ground(), body,
+                                    tumble_v(0, 0, 0), axis);
 }
 
 static double place(void)   { return tumble_joint_place(w, joint_now); }
@@ -83,7 +85,7 @@ START_TEST(motor_spins_up_by_torque_over_inertia_until_its_speed)
             double mass = 1000 * pow(SIZES[k], 3), most = 5;
             begin_world(STEPS[i], 0);
             double inertia = hang_cube(SIZES[k], 0, mass), torque = 2 * inertia;
-            ck_assert(tumble_set_motor(w, joint_now, most, torque));
+            ck_assert(tumble_joint_set_motor(w, joint_now, most, torque));
             go(1, STEPS[i]);
             near_relative(place(), 1, 1e-9, "the angle, torque / inertia / 2");
             near_relative(driven(), torque, 1e-12, "all that it can");
@@ -107,14 +109,14 @@ START_TEST(motor_holds_what_its_torque_bears_and_no_more)
                 double need = mass * gravities[g] * arm;
                 begin_world(STEPS[i], gravities[g]);
                 double inertia = hang_cube(SIZES[k], 1, mass);
-                tumble_set_motor(w, joint_now, 0, 1.001 * need);
+                tumble_joint_set_motor(w, joint_now, 0, 1.001 * need);
                 go(2, STEPS[i]);
                 near(place(), 0, 1e-6, "it holds");
                 near_relative(driven(), need, 1e-9, "what it bears");
                 double before = place();
                 go(8, STEPS[i]);
                 near(place(), before, 1e-12, "it does not creep");
-                tumble_set_motor(w, joint_now, 0, 0.999 * need);
+                tumble_joint_set_motor(w, joint_now, 0, 0.999 * need);
                 // So little that the arm stays level; to whole steps.
                 double faster = 0.001 * need / inertia;
                 double n = ceil(sqrt(2 * 0.004 / faster) / STEPS[i]);
@@ -133,7 +135,7 @@ static double period(double middle, double dt, int swings)
     double before = place() - middle, first = 0, last = 0;
     int crossings = 0;
     for (int k = 1; crossings <= 2 * swings && k < 100000; k++) {
-        tumble_step(w);
+        tumble_world_step(w);
         double now = place() - middle;
         if (now * before < 0) {
             last = (k - now / (now - before)) * dt;
@@ -149,7 +151,7 @@ static double amplitude(double middle, double dt)
 {
     double most = 0;
     for (int k = 0; k < 1 / dt; k++) {
-        tumble_step(w);
+        tumble_world_step(w);
         most = fmax(most, fabs(place() - middle));
     }
     return most;
@@ -166,7 +168,8 @@ START_TEST(spring_of_a_hinge_swings_in_the_time_of_its_inertia)
             begin_world(STEPS[i], 0);
             double inertia = hang_cube(SIZES[k], 1.5, 7);
             double omega = 2 * PI, late = omega / 240;
-            tumble_set_spring(w, joint_now, 0.3, inertia * omega * omega, 0);
+            tumble_joint_set_spring(w, joint_now, 0.3, inertia * omega * omega,
+                                    0);
             near_relative(period(0.3, STEPS[i], 10), 1, late * late / 11,
                           "one second");
             near_relative(amplitude(0.3, STEPS[i]), 0.3, 1e-3, "of ten swings");
@@ -184,8 +187,9 @@ START_TEST(damper_brakes_by_its_exponential)
         for (int k = 0; k < COUNT(rates); k++) {
             begin_world(STEPS[i], 0);
             double inertia = hang_cube(0.5, 0, 3), off = rates[k] / 240;
-            tumble_set_velocity(w, body, tumble_v(0, 0, 0), tumble_v(0, 0, 2));
-            tumble_set_spring(w, joint_now, 0, 0, rates[k] * inertia);
+            tumble_body_set_velocity(w, body, tumble_v(0, 0, 0),
+                                     tumble_v(0, 0, 2));
+            tumble_joint_set_spring(w, joint_now, 0, 0, rates[k] * inertia);
             go(1, STEPS[i]);
             double turned = 2 / rates[k] * (1 - exp(-rates[k]));
             near_relative(place(), turned, off * off + 1e-6);
@@ -201,9 +205,10 @@ START_TEST(strong_damper_stops_what_turns_and_throws_nothing_back)
         for (double rate = 1e4; rate < 1e9; rate *= 100) {
             begin_world(STEPS[i], 0);
             double inertia = hang_cube(0.5, 0, 3);
-            tumble_set_velocity(w, body, tumble_v(0, 0, 0), tumble_v(0, 0, 2));
-            tumble_set_spring(w, joint_now, 0, 0, rate * inertia);
-            tumble_step(w);
+            tumble_body_set_velocity(w, body, tumble_v(0, 0, 0),
+                                     tumble_v(0, 0, 2));
+            tumble_joint_set_spring(w, joint_now, 0, 0, rate * inertia);
+            tumble_world_step(w);
             ck_assert_msg(speed() > -1e-9 && speed() < 0.02,
                           "dt %g, c / I %g: %g rad/s", STEPS[i], rate, speed());
         }
@@ -216,12 +221,12 @@ START_TEST(spring_of_a_hinge_takes_the_shorter_way_round)
     // Rejects: a difference of angles that is taken as it is.
     begin_world(1 / 60.0, 0);
     double inertia = hang_cube(0.5, 0, 3), nearest = PI;
-    tumble_set_servo(w, joint_now, 2.5, 2, 1, 100 * inertia);
+    tumble_joint_set_servo(w, joint_now, 2.5, 2, 1, 100 * inertia);
     go(3, 1 / 60.0);
     for (int side = -1; side <= 1; side += 2) {
-        tumble_set_servo(w, joint_now, side * 2.5, 2, 1, 100 * inertia);
+        tumble_joint_set_servo(w, joint_now, side * 2.5, 2, 1, 100 * inertia);
         for (int k = 0; k < 180; k++) {
-            tumble_step(w);
+            tumble_world_step(w);
             nearest = fmin(nearest, fabs(place()));
         }
         near(place(), side * 2.5, 1e-6, "there");
@@ -240,10 +245,10 @@ START_TEST(spring_of_any_stiffness_is_safe_at_any_step)
         for (double k = 1e-3; k < 1e14; k *= 10) {
             begin_world(steps[i], EARTH);
             slide_cube(0.2, 2, tumble_v(0, 1, 0));
-            tumble_set_spring(w, joint_now, 0, k, 0);
+            tumble_joint_set_spring(w, joint_now, 0, k, 0);
             double sag = 2 * EARTH / k;
             for (int n = 0; n < 240; n++) {
-                tumble_step(w);
+                tumble_world_step(w);
                 ck_assert_msg(place() <= 1e-3 * sag && place() > -2.01 * sag,
                               "k %g, dt %g: %g of %g", k, steps[i], place(), sag);
             }
@@ -269,9 +274,9 @@ START_TEST(servo_of_one_hertz_comes_as_a_damped_spring_does)
         for (int k = 0; k < COUNT(ratios); k++) {
             begin_world(STEPS[i], 0);
             hang_cube(0.3, 2, 4);
-            tumble_set_servo(w, joint_now, 0.2, 1, ratios[k], HUGE_VAL);
+            tumble_joint_set_servo(w, joint_now, 0.2, 1, ratios[k], HUGE_VAL);
             for (int n = 1; n <= 2 / STEPS[i]; n++) {
-                tumble_step(w);
+                tumble_world_step(w);
                 near(place(), swung(0.2, ratios[k], n * STEPS[i]), 2e-4);
             }
         }
@@ -285,16 +290,16 @@ START_TEST(servo_gives_its_most_and_arrives)
     begin_world(1 / 60.0, EARTH);
     hang_cube(0.2, 1, 3);
     double need = 3 * EARTH * 0.2;
-    tumble_set_servo(w, joint_now, 1.2, 5, 1, 1.5 * need);
+    tumble_joint_set_servo(w, joint_now, 1.2, 5, 1, 1.5 * need);
     double most = 0;
     for (int k = 0; k < 300; k++) {
-        tumble_step(w);
+        tumble_world_step(w);
         most = fmax(most, fabs(driven()));
     }
     near_relative(most, 1.5 * need, 1e-9, "its most");
     near_relative(driven(), need * cos(place()), 1e-6, "what it bears");
     ck_assert(place() > 1.1 && place() < 1.2);
-    tumble_set_servo(w, joint_now, 1.2, 5, 1, 0.3 * need);
+    tumble_joint_set_servo(w, joint_now, 1.2, 5, 1, 0.3 * need);
     go(0.3, 1 / 60.0);
     ck_assert_msg(place() < 1.1, "less lets the arm sink: %g", place());
 }
@@ -317,7 +322,7 @@ START_TEST(slider_on_a_slope_falls_by_the_sine)
                 go(1, STEPS[i]);
                 near(place(), pull / 2, 1e-9 * pull + 1e-9);
                 near(tumble_joint_gap(w, joint_now), 0, GAP);
-                near(tumble_spin(w, body).z, 0, 1e-9);
+                near(tumble_body_spin(w, body).z, 0, 1e-9);
             }
 }
 END_TEST
@@ -328,15 +333,15 @@ START_TEST(slider_stops_at_its_limits_and_bears_the_weight_there)
     for (int is_driven = 0; is_driven < 2; is_driven++) {
         begin_world(1 / 60.0, EARTH);
         slide_cube(0.2, 3, tumble_v(0, 1, 0));
-        ck_assert(tumble_set_limits(w, joint_now, -0.5, 0.25));
-        if (is_driven) tumble_set_motor(w, joint_now, 0, 1e-9);
+        ck_assert(tumble_joint_set_limits(w, joint_now, -0.5, 0.25));
+        if (is_driven) tumble_joint_set_motor(w, joint_now, 0, 1e-9);
         go(2, 1 / 60.0);
         near(place(), -0.5, 1e-6);
         near_relative(tumble_joint_force(w, joint_now), 3 * EARTH, 1e-6);
-        tumble_set_velocity(w, body, tumble_v(0, 5, 0), tumble_v(0, 0, 0));
+        tumble_body_set_velocity(w, body, tumble_v(0, 5, 0), tumble_v(0, 0, 0));
         double most = -1;
         for (int k = 0; k < 30; k++) {
-            tumble_step(w);
+            tumble_world_step(w);
             most = fmax(most, place());
         }
         near(most, 0.25, 1e-3, "the upper one");
@@ -352,7 +357,7 @@ START_TEST(spring_sags_by_weight_over_stiffness)
         for (double k = 10; k < 1e6; k *= 10) {
             begin_world(STEPS[i], EARTH);
             slide_cube(0.2, 2, tumble_v(0, 1, 0));
-            tumble_set_spring(w, joint_now, 0.1, k, 2 * sqrt(2 * k));
+            tumble_joint_set_spring(w, joint_now, 0.1, k, 2 * sqrt(2 * k));
             go(20, STEPS[i]);
             near_relative(place() - 0.1, -2 * EARTH / k, 1e-9);
             near_relative(driven(), 2 * EARTH, 1e-9);
@@ -366,20 +371,21 @@ START_TEST(distance_with_a_spring_is_a_spring)
     // Rejects: a rod that stays a rod.
     begin_world(1 / 60.0, EARTH);
     body = box_at(0, -1, 0, tumble_v(0.1, 0.1, 0.1), 2);
-    joint_now = tumble_distance(w, tumble_ground(), tumble_v(0, 0, 0), body,
-                                tumble_v(0, -1, 0), 1, 1);
+    joint_now = tumble_joint_distance(w, tumble_body_ground(),
+                                      tumble_v(0, 0, 0), body,
+                                      tumble_v(0, -1, 0), 1, 1);
     double k = 2 * 16 * PI * PI, sag = 2 * EARTH / k;
-    ck_assert(tumble_set_spring(w, joint_now, 1, k, 0));
+    ck_assert(tumble_joint_set_spring(w, joint_now, 1, k, 0));
     near_relative(period(1 + sag, 1 / 60.0, 10), 0.5, 3e-4);
-    tumble_set_spring(w, joint_now, 1, k, 30);
+    tumble_joint_set_spring(w, joint_now, 1, k, 30);
     go(5, 1 / 60.0);
     near_relative(place(), 1 + sag, 1e-9);
     near_relative(tumble_joint_force(w, joint_now), 2 * EARTH, 1e-9);
-    tumble_set_limits(w, joint_now, 0.5, 1.01);
+    tumble_joint_set_limits(w, joint_now, 0.5, 1.01);
     go(2, 1 / 60.0);
     near(place(), 1.01, 1e-6, "a limit holds beside it");
-    tumble_set_limits(w, joint_now, 1, 1);
-    tumble_set_spring(w, joint_now, 1, 0, 0);
+    tumble_joint_set_limits(w, joint_now, 1, 1);
+    tumble_joint_set_spring(w, joint_now, 1, 0, 0);
     go(2, 1 / 60.0);
     near(place(), 1, 1e-6, "without it, it is a rod");
 }
@@ -391,12 +397,12 @@ START_TEST(motor_without_a_speed_is_friction)
     for (int i = 0; i < COUNT(STEPS); i++) {
         begin_world(STEPS[i], 0);
         slide_cube(0.2, 2, tumble_v(1, 0, 0));
-        tumble_set_velocity(w, body, tumble_v(3, 0, 0), tumble_v(0, 0, 0));
-        tumble_set_motor(w, joint_now, 0, 9);
+        tumble_body_set_velocity(w, body, tumble_v(3, 0, 0), tumble_v(0, 0, 0));
+        tumble_joint_set_motor(w, joint_now, 0, 9);
         go(3, STEPS[i]);
         near_relative(place(), 1, 1e-3);
         near(speed(), 0, 1e-9);
-        tumble_set_gravity(w, tumble_v(4.4, 0, 0));
+        tumble_world_set_gravity(w, tumble_v(4.4, 0, 0));
         go(3, STEPS[i]);
         near_relative(place(), 1, 1e-3);
         near_relative(driven(), -8.8, 1e-6);
@@ -409,12 +415,12 @@ START_TEST(motor_pushes_at_a_limit_and_comes_away_from_it)
     // Rejects: a limit that the motor pushes through, or that glues it.
     begin_world(1 / 60.0, 0);
     double inertia = hang_cube(0.2, 1, 3), torque = 20 * inertia;
-    tumble_set_limits(w, joint_now, -0.5, 1);
-    tumble_set_motor(w, joint_now, 2, torque);
+    tumble_joint_set_limits(w, joint_now, -0.5, 1);
+    tumble_joint_set_motor(w, joint_now, 2, torque);
     go(2, 1 / 60.0);
     near(place(), 1, 1e-5);
     near(driven(), 0, 1e-9 * torque, "the limit takes what the motor gives");
-    tumble_set_motor(w, joint_now, -2, torque);
+    tumble_joint_set_motor(w, joint_now, -2, torque);
     go(0.5, 1 / 60.0);
     near(place(), 1 - 2 * 0.45, 0.01);
     go(2, 1 / 60.0);
@@ -429,15 +435,15 @@ START_TEST(arm_of_seven_motors_holds_itself_level)
     enum { LINKS = 7 };
     tumble_joint at[LINKS];
     begin_world(1 / 60.0, EARTH);
-    tumble_body before = tumble_ground();
+    tumble_body before = tumble_body_ground();
     double need[LINKS];
     for (int k = 0; k < LINKS; k++) {
         tumble_body b = box_at(0.1 + 0.2 * k, 0, 0, tumble_v(0.2, 0.05, 0.05), 1);
-        at[k] = tumble_hinge(w, before, b, tumble_v(0.2 * k, 0, 0),
-                             tumble_v(0, 0, 1));
+        at[k] = tumble_joint_hinge(w, before, b, tumble_v(0.2 * k, 0, 0),
+                                   tumble_v(0, 0, 1));
         need[k] = 0;
         for (int i = k; i < LINKS; i++) need[k] += EARTH * (0.1 + 0.2 * (i - k));
-        tumble_set_motor(w, at[k], 0, 1.01 * need[k]);
+        tumble_joint_set_motor(w, at[k], 0, 1.01 * need[k]);
         before = b;
     }
     go(10, 1 / 60.0);
@@ -463,22 +469,22 @@ START_TEST(driven_bodies_in_flight_keep_their_momenta)
     tumble_body c = box_at(1, 0, 0.2, tumble_v(0.1, 0.1, 0.3), 0.5);
     tumble_body d = box_at(1, 1, 0.2, tumble_v(0.1, 0.1, 0.3), 0.5);
     const tumble_body all[] = { a, b, c, d };
-    for (int k = 0; k < 4; k++) tumble_set_filter(w, all[k], 1, 2);
-    tumble_joint h = tumble_hinge(w, a, b, tumble_v(0.25, 0, 0),
-                                  tumble_v(0, 1, 1));
-    tumble_joint s = tumble_slider(w, b, c, tumble_v(0.7, 0, 0),
-                                   tumble_v(1, 0.3, 0.1));
-    tumble_joint e = tumble_distance(w, c, tumble_v(1, 0.05, 0.2), d,
-                                     tumble_v(1, 0.95, 0.2), 0.1, 2);
-    tumble_set_motor(w, h, 7, 0.2);
-    tumble_set_spring(w, s, 0.1, 200, 0);
-    tumble_set_limits(w, s, -0.3, 0.5);
-    tumble_set_spring(w, e, 0.5, 100, 0);
-    tumble_set_velocity(w, a, tumble_v(0, 1, 0), tumble_v(3, 1, 2));
-    tumble_measures m = tumble_measure(w);
+    for (int k = 0; k < 4; k++) tumble_body_set_filter(w, all[k], 1, 2);
+    tumble_joint h = tumble_joint_hinge(w, a, b, tumble_v(0.25, 0, 0),
+                                        tumble_v(0, 1, 1));
+    tumble_joint s = tumble_joint_slider(w, b, c, tumble_v(0.7, 0, 0),
+                                         tumble_v(1, 0.3, 0.1));
+    tumble_joint e = tumble_joint_distance(w, c, tumble_v(1, 0.05, 0.2), d,
+                                           tumble_v(1, 0.95, 0.2), 0.1, 2);
+    tumble_joint_set_motor(w, h, 7, 0.2);
+    tumble_joint_set_spring(w, s, 0.1, 200, 0);
+    tumble_joint_set_limits(w, s, -0.3, 0.5);
+    tumble_joint_set_spring(w, e, 0.5, 100, 0);
+    tumble_body_set_velocity(w, a, tumble_v(0, 1, 0), tumble_v(3, 1, 2));
+    tumble_measures m = tumble_world_measure(w);
     for (int k = 0; k < 600; k++) {
-        tumble_step(w);
-        tumble_measures now = tumble_measure(w);
+        tumble_world_step(w);
+        tumble_measures now = tumble_world_measure(w);
         near(worst(now.momentum, m.momentum), 0, 1e-10);
         near(worst(now.angular, m.angular), 0, 1e-10);
         near(tumble_joint_gap(w, s), 0, 1e-4);
@@ -489,10 +495,10 @@ END_TEST
 static void expect_refusal(bool is_done, const char *why)
 {
     ck_assert(!is_done);
-    ck_assert_ptr_nonnull(tumble_failure(w));
-    ck_assert_msg(strstr(tumble_failure(w), why), "\"%s\", not \"%s\"",
-                  tumble_failure(w), why);
-    tumble_forget_failure(w);
+    ck_assert_ptr_nonnull(tumble_world_failure(w));
+    ck_assert_msg(strstr(tumble_world_failure(w), why), "\"%s\", not \"%s\"",
+                  tumble_world_failure(w), why);
+    tumble_world_forget_failure(w);
 }
 
 static double swing(void)   { return tumble_joint_swing(w, joint_now); }
@@ -509,20 +515,21 @@ START_TEST(cone_holds_what_leans_on_it)
                 double l = SIZES[k], pace = 0.3 * sqrt(EARTH / l);
                 begin_world(STEPS[i], EARTH);
                 body = box_at(0, l, 0, tumble_v(0.2 * l, 2 * l, 0.2 * l), 3);
-                joint_now = tumble_ball(w, tumble_ground(), body,
-                                        tumble_v(0, 0, 0));
-                ck_assert(tumble_set_cone(w, joint_now, tumble_v(0, 2, 0), 0.6,
-                                          -HUGE_VAL, HUGE_VAL));
-                tumble_set_velocity(w, body, tumble_v(0, 0, 0),
-                                    tumble_v(pace * cos(way), 0, pace * sin(way)));
+                joint_now = tumble_joint_ball(w, tumble_body_ground(), body,
+                                              tumble_v(0, 0, 0));
+                ck_assert(tumble_joint_set_cone(w, joint_now, tumble_v(0, 2, 0),
+                                                0.6, -HUGE_VAL, HUGE_VAL));
+                tumble_body_set_velocity(w, body, tumble_v(0, 0, 0),
+                                         tumble_v(pace * cos(way), 0,
+                                                  pace * sin(way)));
                 double most = 0;
                 for (int n = 0; n < 6 / STEPS[i]; n++) {
-                    tumble_step(w);
+                    tumble_world_step(w);
                     most = fmax(most, swing());
                 }
                 near(most, 0.6, 2e-3, "at the impact");
                 near(swing(), 0.6, 1e-5, "at rest");
-                near(acos(tumble_position(w, body).y / l), 0.6, 1e-5);
+                near(acos(tumble_body_position(w, body).y / l), 0.6, 1e-5);
                 near(tumble_joint_gap(w, joint_now), 0, 1e-4 * l);
             }
 }
@@ -535,13 +542,14 @@ START_TEST(cone_stops_a_twist_at_each_of_its_ends)
     for (int sign = -1; sign <= 1; sign += 2) {
         begin_world(1 / 60.0, 0);
         body = box_at(0, 1, 0, tumble_v(0.3, 0.3, 0.3), 3);
-        joint_now = tumble_ball(w, tumble_ground(), body, tumble_v(0, 1, 0));
-        tumble_set_cone(w, joint_now, tumble_v(0, 1, 0), 0.4, -0.5, 0.8);
-        tumble_set_velocity(w, body, tumble_v(0, 0, 0),
-                            tumble_v(0.3, sign * 2, 0.1));
+        joint_now = tumble_joint_ball(w, tumble_body_ground(), body,
+                                      tumble_v(0, 1, 0));
+        tumble_joint_set_cone(w, joint_now, tumble_v(0, 1, 0), 0.4, -0.5, 0.8);
+        tumble_body_set_velocity(w, body, tumble_v(0, 0, 0),
+                                 tumble_v(0.3, sign * 2, 0.1));
         double most = 0, least = 0;
         for (int k = 0; k < 300; k++) {
-            tumble_step(w);
+            tumble_world_step(w);
             most = fmax(most, twist());
             least = fmin(least, twist());
             ck_assert(swing() < 0.4 + 1e-3);
@@ -560,14 +568,14 @@ START_TEST(cone_in_flight_keeps_momenta_and_gains_no_energy)
     begin_world(1 / 60.0, 0);
     tumble_body a = box_at(0, 0, 0, tumble_v(0.3, 0.2, 0.1), 1);
     tumble_body b = box_at(0.5, 0.1, 0, tumble_v(0.2, 0.4, 0.1), 2);
-    joint_now = tumble_ball(w, a, b, tumble_v(0.25, 0, 0));
-    tumble_set_cone(w, joint_now, tumble_v(1, 0, 0), 0.5, -0.3, 0.3);
-    tumble_set_velocity(w, a, tumble_v(0, 1, 0), tumble_v(3, 1, 2));
-    tumble_measures m = tumble_measure(w);
+    joint_now = tumble_joint_ball(w, a, b, tumble_v(0.25, 0, 0));
+    tumble_joint_set_cone(w, joint_now, tumble_v(1, 0, 0), 0.5, -0.3, 0.3);
+    tumble_body_set_velocity(w, a, tumble_v(0, 1, 0), tumble_v(3, 1, 2));
+    tumble_measures m = tumble_world_measure(w);
     double before = m.kinetic;
     for (int k = 0; k < 1200; k++) {
-        tumble_step(w);
-        tumble_measures now = tumble_measure(w);
+        tumble_world_step(w);
+        tumble_measures now = tumble_world_measure(w);
         near(worst(now.momentum, m.momentum), 0, 1e-10);
         near(worst(now.angular, m.angular), 0, 1e-10);
         ck_assert(now.kinetic < 1.001 * before);
@@ -580,38 +588,45 @@ START_TEST(cone_is_refused_saved_and_taken_off)
 {
     begin_world(1 / 60.0, EARTH);
     body = box_at(0, 1, 0, tumble_v(0.2, 2, 0.2), 3);
-    joint_now = tumble_ball(w, tumble_ground(), body, tumble_v(0, 0, 0));
+    joint_now = tumble_joint_ball(w, tumble_body_ground(), body,
+                                  tumble_v(0, 0, 0));
     tumble_vec3 up = tumble_v(0, 1, 0);
     tumble_joint j = joint_now;
-    expect_refusal(tumble_set_cone(w, j, tumble_v(0, 0, 0), 1, -1, 1), "the axis");
-    expect_refusal(tumble_set_cone(w, j, tumble_v(NAN, 0, 0), 1, -1, 1), "the axis");
-    expect_refusal(tumble_set_cone(w, j, up, -1, -1, 1), "a swing of -1");
-    expect_refusal(tumble_set_cone(w, j, up, NAN, -1, 1), "a swing of");
-    expect_refusal(tumble_set_cone(w, j, up, 1, 1, -1), "a twist of 1 to -1");
-    expect_refusal(tumble_set_cone(w, j, up, 1, 4, 5), "a twist of 4 to 5");
+    expect_refusal(tumble_joint_set_cone(w, j, tumble_v(0, 0, 0), 1, -1, 1),
+                   "the axis");
+    expect_refusal(tumble_joint_set_cone(w, j, tumble_v(NAN, 0, 0), 1, -1, 1),
+                   "the axis");
+    expect_refusal(tumble_joint_set_cone(w, j, up, -1, -1, 1), "a swing of -1");
+    expect_refusal(tumble_joint_set_cone(w, j, up, NAN, -1, 1), "a swing of");
+    expect_refusal(tumble_joint_set_cone(w, j, up, 1, 1, -1),
+                   "a twist of 1 to -1");
+    expect_refusal(tumble_joint_set_cone(w, j, up, 1, 4, 5),
+                   "a twist of 4 to 5");
     ck_assert(swing() == 0 && twist() == 0);
-    ck_assert(tumble_set_cone(w, j, up, 0.5, -0.1, 0.1));
-    tumble_set_velocity(w, body, tumble_v(1, 0, 0), tumble_v(0, 1, -1));
+    ck_assert(tumble_joint_set_cone(w, j, up, 0.5, -0.1, 0.1));
+    tumble_body_set_velocity(w, body, tumble_v(1, 0, 0), tumble_v(0, 1, -1));
     for (int n = 0; n < 20; n++) {
-        size_t size = tumble_save(w, NULL, 0);
+        size_t size = tumble_world_save(w, NULL, 0);
         void *bytes = malloc(size);
-        tumble_save(w, bytes, size);
-        tumble_world *copy = tumble_load(bytes, size);
+        tumble_world_save(w, bytes, size);
+        tumble_world *copy = tumble_world_load(bytes, size);
         for (int k = 0; k < 7; k++) {
-            tumble_step(w);
-            tumble_step(copy);
+            tumble_world_step(w);
+            tumble_world_step(copy);
         }
-        ck_assert(tumble_hash(w) == tumble_hash(copy));
-        tumble_free(copy);
+        ck_assert(tumble_world_hash(w) == tumble_world_hash(copy));
+        tumble_world_free(copy);
         free(bytes);
     }
-    ck_assert(tumble_set_cone(w, j, up, HUGE_VAL, -HUGE_VAL, HUGE_VAL));
+    ck_assert(tumble_joint_set_cone(w, j, up, HUGE_VAL, -HUGE_VAL, HUGE_VAL));
     go(1, 1 / 60.0);
-    ck_assert(tumble_position(w, body).y < 0);
+    ck_assert(tumble_body_position(w, body).y < 0);
     tumble_vec3 sides = tumble_v(1, 1, 1);
-    tumble_joint h = tumble_hinge(w, tumble_ground(), box_at(9, 0, 0, sides, 1),
-                                  tumble_v(9, 0, 0), up);
-    expect_refusal(tumble_set_cone(w, h, up, 1, -1, 1), "is no ball joint");
+    tumble_joint h = tumble_joint_hinge(w, tumble_body_ground(),
+                                        box_at(9, 0, 0, sides, 1),
+                                        tumble_v(9, 0, 0), up);
+    expect_refusal(tumble_joint_set_cone(w, h, up, 1, -1, 1),
+                   "is no ball joint");
 }
 END_TEST
 
@@ -619,11 +634,11 @@ START_TEST(joint_says_where_it_is_and_how_fast_without_a_drive)
 {
     begin_world(1 / 60.0, 0);
     hang_cube(0.2, 1, 3);
-    tumble_set_velocity(w, body, tumble_v(0, 0.2, 0), tumble_v(0, 0, 1));
+    tumble_body_set_velocity(w, body, tumble_v(0, 0.2, 0), tumble_v(0, 0, 1));
     go(0.5, 1 / 60.0);
     near_relative(place(), 0.5, 1e-5);
     near_relative(speed(), 1, 1e-6);
-    near_relative(tumble_hinge_angle(w, joint_now), 0.5, 1e-5);
+    near_relative(tumble_joint_angle(w, joint_now), 0.5, 1e-5);
     near(driven(), 0, 0);
 }
 END_TEST
@@ -633,31 +648,42 @@ START_TEST(what_makes_no_drive_is_refused_with_a_sentence)
     begin_world(1 / 60.0, EARTH);
     hang_cube(0.2, 1, 3);
     tumble_joint j = joint_now, none = { 0, 0 };
-    tumble_set_motor(w, j, 0, 100);
-    unsigned long long hash = tumble_hash(w);
-    expect_refusal(tumble_set_motor(w, j, NAN, 1), "a motor of speed");
-    expect_refusal(tumble_set_motor(w, j, HUGE_VAL, 1), "a motor of speed");
-    expect_refusal(tumble_set_motor(w, j, 1, -1), "force -1");
-    expect_refusal(tumble_set_motor(w, j, 1, NAN), "a motor of speed");
-    expect_refusal(tumble_set_motor(w, j, 1, HUGE_VAL), "a motor of speed");
-    expect_refusal(tumble_set_motor(w, none, 1, 1), "joint");
-    expect_refusal(tumble_set_spring(w, j, NAN, 1, 1), "a spring of stiffness");
-    expect_refusal(tumble_set_spring(w, j, 0, -1, 1), "stiffness -1");
-    expect_refusal(tumble_set_spring(w, j, 0, 1, HUGE_VAL), "a spring of");
-    expect_refusal(tumble_set_spring(w, j, 4, 1, 1), "never at 4 rad");
-    expect_refusal(tumble_set_spring(w, none, 0, 1, 1), "joint");
-    expect_refusal(tumble_set_servo(w, j, 0, 0, 1, 1), "a servo of 0 Hz");
-    expect_refusal(tumble_set_servo(w, j, 0, 1, -1, 1), "a servo of 1 Hz");
-    expect_refusal(tumble_set_servo(w, j, 0, 1, 1, NAN), "a servo of 1 Hz");
-    expect_refusal(tumble_set_servo(w, j, NAN, 1, 1, 1), "a spring of");
+    tumble_joint_set_motor(w, j, 0, 100);
+    unsigned long long hash = tumble_world_hash(w);
+    expect_refusal(tumble_joint_set_motor(w, j, NAN, 1), "a motor of speed");
+    expect_refusal(tumble_joint_set_motor(w, j, HUGE_VAL, 1),
+                   "a motor of speed");
+    expect_refusal(tumble_joint_set_motor(w, j, 1, -1), "force -1");
+    expect_refusal(tumble_joint_set_motor(w, j, 1, NAN), "a motor of speed");
+    expect_refusal(tumble_joint_set_motor(w, j, 1, HUGE_VAL),
+                   "a motor of speed");
+    expect_refusal(tumble_joint_set_motor(w, none, 1, 1), "joint");
+    expect_refusal(tumble_joint_set_spring(w, j, NAN, 1, 1),
+                   "a spring of stiffness");
+    expect_refusal(tumble_joint_set_spring(w, j, 0, -1, 1), "stiffness -1");
+    expect_refusal(tumble_joint_set_spring(w, j, 0, 1, HUGE_VAL),
+                   "a spring of");
+    expect_refusal(tumble_joint_set_spring(w, j, 4, 1, 1), "never at 4 rad");
+    expect_refusal(tumble_joint_set_spring(w, none, 0, 1, 1), "joint");
+    expect_refusal(tumble_joint_set_servo(w, j, 0, 0, 1, 1), "a servo of 0 Hz");
+    expect_refusal(tumble_joint_set_servo(w, j, 0, 1, -1, 1),
+                   "a servo of 1 Hz");
+    expect_refusal(tumble_joint_set_servo(w, j, 0, 1, 1, NAN),
+                   "a servo of 1 Hz");
+    expect_refusal(tumble_joint_set_servo(w, j, NAN, 1, 1, 1), "a spring of");
     tumble_body b = box_at(5, 0, 0, tumble_v(1, 1, 1), 1);
-    tumble_joint ball = tumble_ball(w, tumble_ground(), b, tumble_v(5, 0, 0));
-    expect_refusal(tumble_set_motor(w, ball, 1, 1), "a ball joint has no free way");
-    expect_refusal(tumble_set_spring(w, ball, 1, 1, 0), "there is no spring");
-    expect_refusal(tumble_set_servo(w, ball, 1, 1, 0, 1), "there is no spring");
-    j = tumble_slider(w, tumble_ground(), b, tumble_v(0, 0, 0), tumble_v(0, 0, 0));
+    tumble_joint ball = tumble_joint_ball(w, tumble_body_ground(), b,
+                                          tumble_v(5, 0, 0));
+    expect_refusal(tumble_joint_set_motor(w, ball, 1, 1),
+                   "a ball joint has no free way");
+    expect_refusal(tumble_joint_set_spring(w, ball, 1, 1, 0),
+                   "there is no spring");
+    expect_refusal(tumble_joint_set_servo(w, ball, 1, 1, 0, 1),
+                   "there is no spring");
+    j = tumble_joint_slider(w, tumble_body_ground(), b, tumble_v(0, 0, 0),
+                            tumble_v(0, 0, 0));
     expect_refusal(j.generation != 0, "the axis of a slider has no direction");
-    ck_assert(!tumble_set_motor(NULL, j, 1, 1));
+    ck_assert(!tumble_joint_set_motor(NULL, j, 1, 1));
     ck_assert(tumble_joint_speed(NULL, j) == 0);
     ck_assert(tumble_joint_drive(w, none) == 0);
     go(1, 1 / 60.0);
@@ -670,24 +696,24 @@ START_TEST(saved_drives_go_on_with_the_same_bits)
 {
     begin_world(1 / 60.0, EARTH);
     hang_cube(0.2, 1, 3);
-    tumble_set_limits(w, joint_now, -1, 1);
-    tumble_set_motor(w, joint_now, 2, 8);
-    tumble_set_servo(w, joint_now, 0.3, 2, 0.1, 5);
+    tumble_joint_set_limits(w, joint_now, -1, 1);
+    tumble_joint_set_motor(w, joint_now, 2, 8);
+    tumble_joint_set_servo(w, joint_now, 0.3, 2, 0.1, 5);
     slide_cube(0.2, 2, tumble_v(0, 1, 0.2));
-    tumble_set_spring(w, joint_now, 0.1, 300, 1);
+    tumble_joint_set_spring(w, joint_now, 0.1, 300, 1);
     for (int n = 0; n < 60; n++) {
-        size_t size = tumble_save(w, NULL, 0);
+        size_t size = tumble_world_save(w, NULL, 0);
         void *bytes = malloc(size);
-        tumble_save(w, bytes, size);
-        tumble_world *copy = tumble_load(bytes, size);
+        tumble_world_save(w, bytes, size);
+        tumble_world *copy = tumble_world_load(bytes, size);
         ck_assert_ptr_nonnull(copy);
         for (int k = 0; k < 7; k++) {
-            tumble_step(w);
-            tumble_step(copy);
+            tumble_world_step(w);
+            tumble_world_step(copy);
         }
-        ck_assert(tumble_hash(w) == tumble_hash(copy));
+        ck_assert(tumble_world_hash(w) == tumble_world_hash(copy));
         ck_assert(tumble_joint_drive(copy, joint_now) == driven());
-        tumble_free(copy);
+        tumble_world_free(copy);
         free(bytes);
     }
 }
@@ -697,15 +723,16 @@ START_TEST(drive_goes_with_its_body_and_with_what_breaks)
 {
     begin_world(1 / 60.0, EARTH);
     slide_cube(0.2, 2, tumble_v(0, 1, 0));
-    tumble_set_spring(w, joint_now, 0, 300, 30);
-    tumble_remove(w, body);
-    ck_assert(!tumble_is_joined(w, joint_now) && place() == 0 && speed() == 0);
+    tumble_joint_set_spring(w, joint_now, 0, 300, 30);
+    tumble_body_remove(w, body);
+    ck_assert(!tumble_joint_exists(w, joint_now) && place() == 0
+              && speed() == 0);
     slide_cube(0.2, 2, tumble_v(0, 1, 0));
-    tumble_set_spring(w, joint_now, 0, 1e5, 100);
-    tumble_set_strength(w, joint_now, 1.9 * EARTH);
+    tumble_joint_set_spring(w, joint_now, 0, 1e5, 100);
+    tumble_joint_set_strength(w, joint_now, 1.9 * EARTH);
     go(1, 1 / 60.0);
-    ck_assert(!tumble_is_joined(w, joint_now));
-    ck_assert(tumble_velocity(w, body).y < -5);
+    ck_assert(!tumble_joint_exists(w, joint_now));
+    ck_assert(tumble_body_velocity(w, body).y < -5);
 }
 END_TEST
 
@@ -713,25 +740,25 @@ END_TEST
 static void begin_sleepy(void)
 {
     end_world();
-    w = tumble_make(NULL);
+    w = tumble_world_make(NULL);
 }
 
 START_TEST(what_sleeps_wakes_when_its_drive_is_set)
 {
     begin_sleepy();
     hang_cube(0.2, 1, 3);
-    tumble_set_motor(w, joint_now, 0, 100);
+    tumble_joint_set_motor(w, joint_now, 0, 100);
     go(5, 1 / 60.0);
-    ck_assert(!tumble_is_awake(w, body));
-    tumble_set_motor(w, joint_now, 1, 100);
+    ck_assert(!tumble_body_is_awake(w, body));
+    tumble_joint_set_motor(w, joint_now, 1, 100);
     go(1, 1 / 60.0);
-    ck_assert(tumble_is_awake(w, body));
+    ck_assert(tumble_body_is_awake(w, body));
     near(place(), 1, 0.02);
-    tumble_set_motor(w, joint_now, 0, 100);
+    tumble_joint_set_motor(w, joint_now, 0, 100);
     go(5, 1 / 60.0);
-    ck_assert(!tumble_is_awake(w, body));
-    tumble_set_spring(w, joint_now, 0, 10, 10);
-    tumble_set_motor(w, joint_now, 0, 0);
+    ck_assert(!tumble_body_is_awake(w, body));
+    tumble_joint_set_spring(w, joint_now, 0, 10, 10);
+    tumble_joint_set_motor(w, joint_now, 0, 0);
     go(1, 1 / 60.0);
     ck_assert(fabs(place() - 1) > 0.1);
 }
@@ -742,7 +769,7 @@ START_TEST(clock_never_falls_asleep)
     // A millimetre a second is slower than what falls asleep.
     begin_sleepy();
     hang_cube(0.2, 0, 3);
-    tumble_set_motor(w, joint_now, 0.01, 100);
+    tumble_joint_set_motor(w, joint_now, 0.01, 100);
     go(60, 1 / 60.0);
     near_relative(place(), 0.6, 1e-3);
 }

@@ -28,8 +28,8 @@ void battery_step(battery_run *r, double seconds)
 {
     int steps = (int)(seconds * 60 + 0.5);
     for (int k = 0; k < steps; k++) {
-        tumble_step(r->w);
-        r->bits = 0x100000001b3u * (r->bits ^ tumble_hash(r->w));
+        tumble_world_step(r->w);
+        r->bits = 0x100000001b3u * (r->bits ^ tumble_world_hash(r->w));
     }
 }
 
@@ -40,18 +40,18 @@ void battery_see(battery_run *r, double error)
 
 static void run_scene(const battery_scene *s)
 {
-    battery_run r = { tumble_make(NULL), 0, 0 };
+    battery_run r = { tumble_world_make(NULL), 0, 0 };
     blocks = 0;
     s->run(&r);
     long long work = blocks;
-    if (tumble_failure(r.w)) {
-        fprintf(stderr, "%s: %s\n", s->name, tumble_failure(r.w));
+    if (tumble_world_failure(r.w)) {
+        fprintf(stderr, "%s: %s\n", s->name, tumble_world_failure(r.w));
         r.worst = HUGE_VAL;
     }
     printf("%s,%.4g,%s,%lld,%016llx\n", s->name, r.worst, s->unit, work,
            r.bits);
     fflush(stdout);
-    tumble_free(r.w);
+    tumble_world_free(r.w);
 }
 
 int main(int count, char **word)

@@ -6,7 +6,7 @@
 
 static double energy_of(const tumble_world *w)
 {
-    tumble_measures m = tumble_measure(w);
+    tumble_measures m = tumble_world_measure(w);
     return m.kinetic + m.potential;
 }
 
@@ -14,13 +14,14 @@ static double energy_of(const tumble_world *w)
 static void top(battery_run *r)
 {
     tumble_world *w = r->w;
-    tumble_body_options o = tumble_at(0, 0.2, 0);
+    tumble_body_options o = tumble_body_at(0, 0.2, 0);
     o.spin = tumble_v(0, 40, 0);
-    tumble_body b = tumble_add(w, tumble_box(w, tumble_v(0.4, 0.1, 0.3), 5), o);
-    tumble_ball(w, b, tumble_ground(), tumble_v(0.05, 0, 0));
-    o = tumble_at(2, 0, 0);
+    tumble_body b =
+        tumble_body_add(w, tumble_shape_box(w, tumble_v(0.4, 0.1, 0.3), 5), o);
+    tumble_joint_ball(w, b, tumble_body_ground(), tumble_v(0.05, 0, 0));
+    o = tumble_body_at(2, 0, 0);
     o.spin = tumble_v(0.01, 0.02, 12);
-    tumble_add(w, tumble_box(w, tumble_v(0.5, 0.1, 0.3), 5), o);
+    tumble_body_add(w, tumble_shape_box(w, tumble_v(0.5, 0.1, 0.3), 5), o);
     battery_step(r, 0.1);
     double first = energy_of(w), scale = fabs(first);
     for (int k = 0; k < 12; k++) {
@@ -33,11 +34,13 @@ static void top(battery_run *r)
 static void chain(battery_run *r)
 {
     tumble_world *w = r->w;
-    tumble_shape s = tumble_box(w, tumble_v(0.18, 0.04, 0.1), 1);
-    tumble_body before = tumble_ground();
+    tumble_shape s = tumble_shape_box(w, tumble_v(0.18, 0.04, 0.1), 1);
+    tumble_body before = tumble_body_ground();
     for (int k = 0; k < 12; k++) {
-        tumble_body b = tumble_add(w, s, tumble_at(0.1 + 0.2 * k, 0, 0));
-        tumble_hinge(w, before, b, tumble_v(0.2 * k, 0, 0), tumble_v(0, 0, 1));
+        tumble_body b = tumble_body_add(w, s,
+                                        tumble_body_at(0.1 + 0.2 * k, 0, 0));
+        tumble_joint_hinge(w, before, b, tumble_v(0.2 * k, 0, 0),
+                           tumble_v(0, 0, 1));
         before = b;
     }
     battery_step(r, 0.1);
@@ -52,19 +55,20 @@ static void chain(battery_run *r)
 static void planks(battery_run *r)
 {
     tumble_world *w = r->w;
-    tumble_shape s = tumble_box(w, tumble_v(0.38, 0.05, 0.8), 10);
+    tumble_shape s = tumble_shape_box(w, tumble_v(0.38, 0.05, 0.8), 10);
     tumble_joint j[11];
-    tumble_body before = tumble_ground();
+    tumble_body before = tumble_body_ground();
     for (int k = 0; k < 10; k++) {
-        tumble_body b = tumble_add(w, s, tumble_at(0.2 + 0.4 * k, 1, 0));
-        j[k] = tumble_hinge(w, before, b, tumble_v(0.4 * k, 1, 0),
-                            tumble_v(0, 0, 1));
+        tumble_body b = tumble_body_add(w, s,
+                                        tumble_body_at(0.2 + 0.4 * k, 1, 0));
+        j[k] = tumble_joint_hinge(w, before, b, tumble_v(0.4 * k, 1, 0),
+                                  tumble_v(0, 0, 1));
         before = b;
     }
-    j[10] = tumble_hinge(w, before, tumble_ground(), tumble_v(4, 1, 0),
-                         tumble_v(0, 0, 1));
-    tumble_add(w, tumble_box(w, tumble_v(0.4, 0.4, 0.4), 100),
-               tumble_at(2, 1.25, 0));
+    j[10] = tumble_joint_hinge(w, before, tumble_body_ground(),
+                               tumble_v(4, 1, 0), tumble_v(0, 0, 1));
+    tumble_body_add(w, tumble_shape_box(w, tumble_v(0.4, 0.4, 0.4), 100),
+                    tumble_body_at(2, 1.25, 0));
     for (int k = 0; k < 24; k++) {
         battery_step(r, 1.0 / 60);
         for (int i = 0; i < 11; i++)
@@ -92,8 +96,8 @@ static void balls(battery_run *r)
 {
     tumble_options o = cradle.options ? cradle.options()
                                       : tumble_options_default();
-    tumble_free(r->w);
-    r->w = tumble_make(&o);
+    tumble_world_free(r->w);
+    r->w = tumble_world_make(&o);
     run_example(r, &cradle, cradle.seconds);
 }
 
@@ -101,10 +105,10 @@ static void wreck(battery_run *r)
 {
     tumble_body b[64];
     wrecker.build(r->w);
-    int n = tumble_bodies(r->w, b, 64);
+    int n = tumble_world_bodies(r->w, b, 64);
     for (int k = 0; k < 8; k++) {
         battery_step(r, 0.25);
-        battery_see(r, tumble_measure(r->w).penetration / 0.2);
+        battery_see(r, tumble_world_measure(r->w).penetration / 0.2);
     }
     battery_see(r, n > 0 ? 0 : HUGE_VAL);
 }

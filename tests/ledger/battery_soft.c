@@ -9,15 +9,15 @@ static void see_strain(battery_run *r, double seconds)
 {
     for (double t = 0; t < seconds - 0.125; t += 0.25) {
         battery_step(r, 0.25);
-        battery_see(r, tumble_measure(r->w).strain);
+        battery_see(r, tumble_world_measure(r->w).strain);
     }
 }
 
 static tumble_body add_static(tumble_world *w, tumble_shape s, double height)
 {
-    tumble_body_options o = tumble_at(0, height, 0);
+    tumble_body_options o = tumble_body_at(0, height, 0);
     o.kind = TUMBLE_STATIC;
-    return tumble_add(w, s, o);
+    return tumble_body_add(w, s, o);
 }
 
 // A rope is let go level, with a hundred times its weight at its end; another
@@ -25,14 +25,15 @@ static tumble_body add_static(tumble_world *w, tumble_shape s, double height)
 static void load(battery_run *r)
 {
     tumble_world *w = r->w;
-    tumble_shape s = tumble_rope(w, 20, 2, 0.2);
-    tumble_body rope = tumble_add(w, s, tumble_at(0, 3, 0));
-    tumble_body box = tumble_add(w, tumble_box(w, tumble_v(0.3, 0.3, 0.3), 20),
-                                 tumble_at(1.15, 3, 0));
-    tumble_pin(w, rope, 0);
-    tumble_hang(w, rope, 20, box);
-    add_static(w, tumble_box(w, tumble_v(0.2, 0.2, 1), 1), 1);
-    tumble_add(w, s, tumble_at(0.3, 1.3, 0.1));
+    tumble_shape s = tumble_shape_rope(w, 20, 2, 0.2);
+    tumble_body rope = tumble_body_add(w, s, tumble_body_at(0, 3, 0));
+    tumble_body box =
+        tumble_body_add(w, tumble_shape_box(w, tumble_v(0.3, 0.3, 0.3), 20),
+                        tumble_body_at(1.15, 3, 0));
+    tumble_body_pin(w, rope, 0);
+    tumble_joint_hang(w, rope, 20, box);
+    add_static(w, tumble_shape_box(w, tumble_v(0.2, 0.2, 1), 1), 1);
+    tumble_body_add(w, s, tumble_body_at(0.3, 1.3, 0.1));
     see_strain(r, 1.5);
 }
 
@@ -43,13 +44,14 @@ static void drape(battery_run *r)
     const double half = 0.3, spacing = 0.075;
     tumble_world *w = r->w;
     tumble_vec3 at[MOST];
-    tumble_add_plane(w, tumble_v(0, 1, 0), 0, -1);
-    add_static(w, tumble_box(w, tumble_v(0.6, 0.6, 0.6), 1), 0.4);
-    tumble_body c = tumble_add(w, tumble_cloth(w, 21, 21, 1.5, 1.5, 0.5),
-                               tumble_at(0, 0.8, 0));
+    tumble_plane_add(w, tumble_v(0, 1, 0), 0, -1);
+    add_static(w, tumble_shape_box(w, tumble_v(0.6, 0.6, 0.6), 1), 0.4);
+    tumble_body c =
+        tumble_body_add(w, tumble_shape_cloth(w, 21, 21, 1.5, 1.5, 0.5),
+                        tumble_body_at(0, 0.8, 0));
     for (int k = 0; k < 11; k++) {
         battery_step(r, 0.1);
-        int n = tumble_vertices(w, c, at, MOST);
+        int n = tumble_body_vertices(w, c, at, MOST);
         for (int i = 0; i < n; i++) {
             double out = fmax(fmax(fabs(at[i].x), fabs(at[i].z)),
                               fabs(at[i].y - 0.4)) - half;
@@ -62,13 +64,14 @@ static void drape(battery_run *r)
 static void curtain_of(battery_run *r)
 {
     tumble_world *w = r->w;
-    tumble_body c = tumble_add(w, tumble_cloth(w, 21, 21, 1.5, 1.5, 0.5),
-                               tumble_at(0, 1, 0));
-    tumble_pin(w, c, 0);
-    tumble_pin(w, c, 20);
-    tumble_body_options o = tumble_at(0, 0.2, 1);
+    tumble_body c =
+        tumble_body_add(w, tumble_shape_cloth(w, 21, 21, 1.5, 1.5, 0.5),
+                        tumble_body_at(0, 1, 0));
+    tumble_body_pin(w, c, 0);
+    tumble_body_pin(w, c, 20);
+    tumble_body_options o = tumble_body_at(0, 0.2, 1);
     o.velocity = tumble_v(0, 2, -5);
-    tumble_add(w, tumble_sphere(w, 0.15, 2), o);
+    tumble_body_add(w, tumble_shape_sphere(w, 0.15, 2), o);
     see_strain(r, 0.75);
 }
 
@@ -76,14 +79,15 @@ static void curtain_of(battery_run *r)
 static void laden(battery_run *r)
 {
     tumble_world *w = r->w;
-    tumble_body c = tumble_add(w, tumble_cloth(w, 17, 17, 1.6, 1.6, 1),
-                               tumble_at(0, 1, 0));
+    tumble_body c = tumble_body_add(w,
+                                    tumble_shape_cloth(w, 17, 17, 1.6, 1.6, 1),
+                                    tumble_body_at(0, 1, 0));
     for (int k = 0; k < 4; k++)
-        tumble_pin(w, c, k / 2 * 16 * 17 + k % 2 * 16);
-    tumble_shape s = tumble_box(w, tumble_v(0.3, 0.2, 0.25), 2);
+        tumble_body_pin(w, c, k / 2 * 16 * 17 + k % 2 * 16);
+    tumble_shape s = tumble_shape_box(w, tumble_v(0.3, 0.2, 0.25), 2);
     for (int k = 0; k < 4; k++)
-        tumble_add(w, s, tumble_at(0.2 * (k % 2), 1.3 + 0.25 * k,
-                                   0.1 * k - 0.15));
+        tumble_body_add(w, s, tumble_body_at(0.2 * (k % 2), 1.3 + 0.25 * k,
+                                             0.1 * k - 0.15));
     see_strain(r, 0.75);
 }
 
@@ -91,16 +95,16 @@ static void laden(battery_run *r)
 static void layers(battery_run *r)
 {
     tumble_world *w = r->w;
-    tumble_add_plane(w, tumble_v(0, 1, 0), 0, -1);
-    tumble_shape s = tumble_cloth(w, 15, 15, 1, 1, 0.3);
-    add_static(w, tumble_sphere(w, 0.25, 1), 0.25);
-    tumble_add(w, s, tumble_at(0, 0.6, 0));
-    tumble_body_options o = tumble_at(0.1, 0.8, 0.05);
-    o.pose.rotation = tumble_turn(tumble_v(0, 1, 0), 0.4);
-    tumble_add(w, s, o);
-    o = tumble_at(0.3, 3, 0.2);
+    tumble_plane_add(w, tumble_v(0, 1, 0), 0, -1);
+    tumble_shape s = tumble_shape_cloth(w, 15, 15, 1, 1, 0.3);
+    add_static(w, tumble_shape_sphere(w, 0.25, 1), 0.25);
+    tumble_body_add(w, s, tumble_body_at(0, 0.6, 0));
+    tumble_body_options o = tumble_body_at(0.1, 0.8, 0.05);
+    o.pose.rotation = tumble_quat_turn(tumble_v(0, 1, 0), 0.4);
+    tumble_body_add(w, s, o);
+    o = tumble_body_at(0.3, 3, 0.2);
     o.velocity = tumble_v(0, -20, 0);
-    tumble_add(w, tumble_box(w, tumble_v(0.08, 0.3, 0.08), 1), o);
+    tumble_body_add(w, tumble_shape_box(w, tumble_v(0.08, 0.3, 0.08), 1), o);
     see_strain(r, 1);
 }
 

@@ -33,34 +33,36 @@ typedef struct {
 
 static void build(arena *a)
 {
-    tumble_world *w = a->w = tumble_make(NULL);
-    tumble_shape link = tumble_capsule(w, 0.5, 0.05, 1);
-    tumble_body last = tumble_ground();
-    tumble_add_plane(w, tumble_v(0, 1, 0), 0, -1);
+    tumble_world *w = a->w = tumble_world_make(NULL);
+    tumble_shape link = tumble_shape_capsule(w, 0.5, 0.05, 1);
+    tumble_body last = tumble_body_ground();
+    tumble_plane_add(w, tumble_v(0, 1, 0), 0, -1);
     for (int k = 0; k < LINKS; k++) {
-        tumble_body b = tumble_add(w, link, tumble_at(0, 0.5 + 0.6 * k, 0));
-        a->joint[k] = tumble_hinge(w, last, b, tumble_v(0, 0.2 + 0.6 * k, 0),
-                                   tumble_v(0, 0, 1));
+        tumble_body b = tumble_body_add(w, link,
+                                        tumble_body_at(0, 0.5 + 0.6 * k, 0));
+        a->joint[k] = tumble_joint_hinge(w, last, b,
+                                         tumble_v(0, 0.2 + 0.6 * k, 0),
+                                         tumble_v(0, 0, 1));
         last = b;
     }
-    tumble_add(w, tumble_box(w, tumble_v(0.2, 0.2, 0.2), 0.5),
-               tumble_at(0.8, 0.1, 0));
-    a->size = tumble_save(w, NULL, 0);
+    tumble_body_add(w, tumble_shape_box(w, tumble_v(0.2, 0.2, 0.2), 0.5),
+                    tumble_body_at(0.8, 0.1, 0));
+    a->size = tumble_world_save(w, NULL, 0);
     a->start = malloc(a->size);
-    if (a->start) tumble_save(w, a->start, a->size);
+    if (a->start) tumble_world_save(w, a->start, a->size);
 }
 
 static void play(arena *a, int number)
 {
     for (int episode = 0; episode < EPISODES && a->start; episode++) {
-        tumble_restore(a->w, a->start, a->size);
+        tumble_world_restore(a->w, a->start, a->size);
         for (int step = 0; step < STEPS; step++) {
             for (int k = 0; k < LINKS; k++)
-                tumble_set_motor(a->w, a->joint[k],
-                                 (number + episode + k) % 5 - 2, 20);
-            tumble_step(a->w);
+                tumble_joint_set_motor(a->w, a->joint[k],
+                                       (number + episode + k) % 5 - 2, 20);
+            tumble_world_step(a->w);
         }
-        a->end = 31 * a->end + tumble_hash(a->w);
+        a->end = 31 * a->end + tumble_world_hash(a->w);
     }
 }
 
@@ -98,10 +100,10 @@ int main(int count, char **argument)
     for (int k = 0; k < threads; k++) pthread_join(thread[k], NULL);
     double seconds = now() - since;
     for (int k = 0; k < worlds; k++) {
-        const char *why = tumble_failure(all[k].w);
+        const char *why = tumble_world_failure(all[k].w);
         if (why) fprintf(stderr, "world %d: %s\n", k, why);
         end = 31 * end + all[k].end;
-        tumble_free(all[k].w);
+        tumble_world_free(all[k].w);
         free(all[k].start);
     }
     free(all);

@@ -20,17 +20,17 @@ static void lay(tumble_world *w, floor_kind kind)
 {
     tumble_shape tile[TILES];
     tumble_pose at[TILES];
-    if (kind == PLANE) tumble_add_plane(w, tumble_v(0, 1, 0), 0, -1);
+    if (kind == PLANE) tumble_plane_add(w, tumble_v(0, 1, 0), 0, -1);
     for (int k = 0; k < TILES && kind != PLANE; k++) {
-        tumble_body_options o = tumble_at(k - 1, -0.25, 0);
+        tumble_body_options o = tumble_body_at(k - 1, -0.25, 0);
         o.kind = TUMBLE_STATIC;
         tile[k] = k > 0 ? tile[0]
-                        : tumble_box(w, tumble_v(1, 0.5, 4), 1);
+                        : tumble_shape_box(w, tumble_v(1, 0.5, 4), 1);
         at[k] = o.pose;
-        if (kind == BODIES) tumble_add(w, tile[0], o);
+        if (kind == BODIES) tumble_body_add(w, tile[0], o);
     }
     if (kind == PIECES)
-        tumble_add_pieces(w, tile, at, TILES, tumble_at(0, 0, 0));
+        tumble_body_add_pieces(w, tile, at, TILES, tumble_body_at(0, 0, 0));
 }
 
 static tumble_shape coin(tumble_world *w)
@@ -40,7 +40,7 @@ static tumble_shape coin(tumble_world *w)
         double a = 2 * PI * (k % 16 + 0.5) / 16;
         p[k] = tumble_v(0.2 * cos(a), k < 16 ? -0.05 : 0.05, 0.2 * sin(a));
     }
-    return tumble_hull(w, p, 32, 1);
+    return tumble_shape_hull(w, p, 32, 1);
 }
 
 typedef struct {
@@ -52,24 +52,24 @@ static end slide(floor_kind kind, bool is_coin, double speed, double friction)
 {
     tumble_options options = tumble_options_default();
     options.friction = friction;
-    tumble_world *w = tumble_make(&options);
+    tumble_world *w = tumble_world_make(&options);
     lay(w, kind);
     double half = is_coin ? 0.05 : 0.1;
-    tumble_body_options o = tumble_at(0, half, 0.03);
+    tumble_body_options o = tumble_body_at(0, half, 0.03);
     o.velocity = tumble_v(speed, 0, 0);
-    if (!is_coin) o.pose.rotation = tumble_turn(tumble_v(0, 1, 0), 0.5);
+    if (!is_coin) o.pose.rotation = tumble_quat_turn(tumble_v(0, 1, 0), 0.5);
     tumble_shape s = is_coin ? coin(w)
-                             : tumble_box(w, tumble_v(0.4, 0.2, 0.4), 1);
-    tumble_body b = tumble_add(w, s, o);
+                             : tumble_shape_box(w, tumble_v(0.4, 0.2, 0.4), 1);
+    tumble_body b = tumble_body_add(w, s, o);
     end e = { 0, 0, 0 };
     for (int k = 0; k < 120; k++) {
-        tumble_step(w);
-        e.hop = fmax(e.hop, tumble_position(w, b).y - half);
+        tumble_world_step(w);
+        e.hop = fmax(e.hop, tumble_body_position(w, b).y - half);
     }
-    e.x = tumble_position(w, b).x;
-    e.z = tumble_position(w, b).z - 0.03;
-    ck_assert_ptr_null(tumble_failure(w));
-    tumble_free(w);
+    e.x = tumble_body_position(w, b).x;
+    e.z = tumble_body_position(w, b).z - 0.03;
+    ck_assert_ptr_null(tumble_world_failure(w));
+    tumble_world_free(w);
     return e;
 }
 
@@ -108,11 +108,12 @@ static void lay_bricks(tumble_world *w)
     tumble_shape brick[2 * TILES];
     tumble_pose at[2 * TILES];
     for (int k = 0; k < 2 * TILES; k++) {
-        brick[k] = k > 0 ? brick[0] : tumble_box(w, tumble_v(1, 0.5, 0.4), 1);
-        at[k] = tumble_at(k / 2 - 1 + k % 2 * 0.5, -0.25,
-                          k % 2 * 0.4 - 0.2).pose;
+        brick[k] = k > 0 ? brick[0]
+            : tumble_shape_box(w, tumble_v(1, 0.5, 0.4), 1);
+        at[k] = tumble_body_at(k / 2 - 1 + k % 2 * 0.5, -0.25,
+                               k % 2 * 0.4 - 0.2).pose;
     }
-    tumble_add_pieces(w, brick, at, 2 * TILES, tumble_at(0, 0, 0));
+    tumble_body_add_pieces(w, brick, at, 2 * TILES, tumble_body_at(0, 0, 0));
 }
 
 // Rejects: an impulse that acts at the corner of a brick and not where the ball
@@ -121,23 +122,25 @@ START_TEST(ball_rolls_over_bricks_as_over_a_plane)
 {
     const double radius = 0.2, speed[] = { 2, 10 };
     for (int k = 0; k < 2; k++) {
-        tumble_world *w = tumble_make(NULL);
+        tumble_world *w = tumble_world_make(NULL);
         double hop = 0;
         lay_bricks(w);
-        tumble_body_options o = tumble_at(0, radius, 0.03);
+        tumble_body_options o = tumble_body_at(0, radius, 0.03);
         o.velocity = tumble_v(speed[k], 0, 0);
         o.spin = tumble_v(0, 0, -speed[k] / radius);
-        tumble_body b = tumble_add(w, tumble_sphere(w, radius, 1), o);
+        tumble_body b = tumble_body_add(w, tumble_shape_sphere(w, radius, 1),
+                                        o);
         for (int n = 0; n < 120; n++) {
-            tumble_step(w);
-            hop = fmax(hop, tumble_position(w, b).y - radius);
+            tumble_world_step(w);
+            hop = fmax(hop, tumble_body_position(w, b).y - radius);
         }
-        tumble_vec3 x = tumble_position(w, b), v = tumble_velocity(w, b);
+        tumble_vec3 x = tumble_body_position(w, b),
+                    v = tumble_body_velocity(w, b);
         ck_assert_msg(fabs(v.x / speed[k] - 1) < 1e-6 && hop < 1e-6
                       && fabs(x.z - 0.03) < 1e-6,
                       "%g m/s: %g, %g up, %g aside", speed[k], v.x, hop,
                       x.z - 0.03);
-        tumble_free(w);
+        tumble_world_free(w);
     }
 }
 END_TEST
@@ -153,14 +156,15 @@ static void backwards(void *context, void (*work)(void *data, int item),
 
 static tumble_world *rain(void)
 {
-    tumble_world *w = tumble_make(NULL);
+    tumble_world *w = tumble_world_make(NULL);
     lay(w, PIECES);
-    tumble_shape s[2] = { tumble_box(w, tumble_v(0.5, 0.3, 0.4), 1), coin(w) };
+    tumble_shape s[2] = { tumble_shape_box(w, tumble_v(0.5, 0.3, 0.4), 1),
+                          coin(w) };
     for (int k = 0; k < 90; k++) {
-        tumble_body_options o = tumble_at(0.13 * k, 0.5 + 0.2 * (k % 5),
-                                          0.37 * (k % 7) - 1.1);
+        tumble_body_options o = tumble_body_at(0.13 * k, 0.5 + 0.2 * (k % 5),
+                                               0.37 * (k % 7) - 1.1);
         o.velocity = tumble_v(3, 0, 1);
-        tumble_add(w, s[k % 2], o);
+        tumble_body_add(w, s[k % 2], o);
     }
     return w;
 }
@@ -170,24 +174,24 @@ static tumble_world *rain(void)
 START_TEST(any_order_and_a_copy_give_the_same_bits)
 {
     tumble_world *w = rain(), *other = rain(), *copy = NULL;
-    tumble_run_on(other, backwards, NULL);
+    tumble_world_run_on(other, backwards, NULL);
     for (int k = 0; k < 90; k++) {
-        tumble_step(w);
-        tumble_step(other);
-        if (copy) tumble_step(copy);
+        tumble_world_step(w);
+        tumble_world_step(other);
+        if (copy) tumble_world_step(copy);
         if (k != 40) continue;
-        size_t size = tumble_save(w, NULL, 0);
+        size_t size = tumble_world_save(w, NULL, 0);
         void *bytes = malloc(size);
-        tumble_save(w, bytes, size);
-        copy = tumble_load(bytes, size);
+        tumble_world_save(w, bytes, size);
+        copy = tumble_world_load(bytes, size);
         ck_assert_ptr_nonnull(copy);
         free(bytes);
     }
-    ck_assert_uint_eq(tumble_hash(w), tumble_hash(other));
-    ck_assert_uint_eq(tumble_hash(w), tumble_hash(copy));
-    tumble_free(w);
-    tumble_free(other);
-    tumble_free(copy);
+    ck_assert_uint_eq(tumble_world_hash(w), tumble_world_hash(other));
+    ck_assert_uint_eq(tumble_world_hash(w), tumble_world_hash(copy));
+    tumble_world_free(w);
+    tumble_world_free(other);
+    tumble_world_free(copy);
 }
 END_TEST
 
@@ -196,13 +200,14 @@ END_TEST
 // A box lies on the seam of two.
 static int touched(floor_kind kind)
 {
-    tumble_world *w = tumble_make(NULL);
+    tumble_world *w = tumble_world_make(NULL);
     lay(w, kind);
-    tumble_add(w, tumble_box(w, tumble_v(1, 1, 1), 1), tumble_at(0.5, 0.5, 0));
+    tumble_body_add(w, tumble_shape_box(w, tumble_v(1, 1, 1), 1),
+                    tumble_body_at(0.5, 0.5, 0));
     tumble_event e[8];
-    for (int k = 0; k < 10; k++) tumble_step(w);
-    int n = tumble_events(w, e, 8);
-    tumble_free(w);
+    for (int k = 0; k < 10; k++) tumble_world_step(w);
+    int n = tumble_world_events(w, e, 8);
+    tumble_world_free(w);
     return n;
 }
 

@@ -16,12 +16,12 @@ static void near(double got, double wanted, double tolerance)
 
 static void run(tumble_world *w, double seconds)
 {
-    for (int k = 0; k < (int)(seconds * 60 + 0.5); k++) tumble_step(w);
+    for (int k = 0; k < (int)(seconds * 60 + 0.5); k++) tumble_world_step(w);
 }
 
 static tumble_world *of(const tumble_options *o)
 {
-    tumble_world *w = tumble_make(o);
+    tumble_world *w = tumble_world_make(o);
     ck_assert_ptr_nonnull(w);
     return w;
 }
@@ -36,23 +36,23 @@ static tumble_world *weightless(void)
 static tumble_world *with_floor(const tumble_options *o)
 {
     tumble_world *w = of(o);
-    tumble_add_plane(w, tumble_v(0, 1, 0), 0, -1);
+    tumble_plane_add(w, tumble_v(0, 1, 0), 0, -1);
     return w;
 }
 
 static tumble_shape a_box(tumble_world *w)
 {
-    return tumble_box(w, tumble_v(1, 1, 1), 2);
+    return tumble_shape_box(w, tumble_v(1, 1, 1), 2);
 }
 
 static tumble_body add_box(tumble_world *w, double x, double y, double z)
 {
-    return tumble_add(w, a_box(w), tumble_at(x, y, z));
+    return tumble_body_add(w, a_box(w), tumble_body_at(x, y, z));
 }
 
 static void expect_fine(const tumble_world *w)
 {
-    const char *why = tumble_failure(w);
+    const char *why = tumble_world_failure(w);
     ck_assert_msg(why == NULL, "failed: %s", why);
 }
 
@@ -68,18 +68,18 @@ START_TEST(friction_is_the_worlds_or_a_planes_or_a_bodys)
         tumble_options o = tumble_options_default();
         o.friction = world[k];
         tumble_world *w = of(&o);
-        tumble_add_plane(w, tumble_v(0, 1, 0), 0, plane[k]);
-        tumble_body_options p = tumble_at(0, 0.5, 0);
+        tumble_plane_add(w, tumble_v(0, 1, 0), 0, plane[k]);
+        tumble_body_options p = tumble_body_at(0, 0.5, 0);
         p.friction = body[k];
         p.velocity = tumble_v(4, 0, 0);
-        tumble_body b = tumble_add(w, a_box(w), p);
+        tumble_body b = tumble_body_add(w, a_box(w), p);
         double of_plane = plane[k] < 0 ? world[k] : plane[k];
         double of_body = body[k] < 0 ? world[k] : body[k];
         run(w, 5);
-        near(tumble_position(w, b).x,
+        near(tumble_body_position(w, b).x,
              16 / (2 * sqrt(of_plane * of_body) * 9.81), 0.08);
         expect_fine(w);
-        tumble_free(w);
+        tumble_world_free(w);
     }
 }
 END_TEST
@@ -92,17 +92,17 @@ START_TEST(restitution_is_the_worlds_or_a_bodys)
         tumble_options o = tumble_options_default();
         o.restitution = world[k];
         tumble_world *w = with_floor(&o);
-        tumble_body_options p = tumble_at(0, 1.5, 0);
+        tumble_body_options p = tumble_body_at(0, 1.5, 0);
         p.restitution = body[k];
-        tumble_body b = tumble_add(w, tumble_sphere(w, 0.5, 1), p);
+        tumble_body b = tumble_body_add(w, tumble_shape_sphere(w, 0.5, 1), p);
         double e = body[k] < 0 ? world[k] : body[k], high = 0;
         run(w, 0.5);
         for (int i = 0; i < 60; i++) {
-            tumble_step(w);
-            high = fmax(high, tumble_position(w, b).y - 0.5);
+            tumble_world_step(w);
+            high = fmax(high, tumble_body_position(w, b).y - 0.5);
         }
         near(high, e * e, 0.02);
-        tumble_free(w);
+        tumble_world_free(w);
     }
 }
 END_TEST
@@ -115,12 +115,12 @@ static int steps_to_sleep(double sleep_speed, double time_to_sleep)
     tumble_world *w = with_floor(&o);
     tumble_body b = add_box(w, 0, 0.5, 0);
     int k = 0;
-    while (k < 400 && tumble_is_awake(w, b)) {
-        tumble_step(w);
+    while (k < 400 && tumble_body_is_awake(w, b)) {
+        tumble_world_step(w);
         k++;
     }
-    ck_assert_int_eq(tumble_last_step(w).asleep, k < 400);
-    tumble_free(w);
+    ck_assert_int_eq(tumble_world_last_step(w).asleep, k < 400);
+    tumble_world_free(w);
     return k;
 }
 
@@ -139,8 +139,8 @@ static int substeps_of(tumble_world *w)
 {
     int most = 0;
     for (int i = 0; i < 60; i++) {
-        tumble_step(w);
-        int now = tumble_last_step(w).substeps;
+        tumble_world_step(w);
+        int now = tumble_world_last_step(w).substeps;
         most = now > most ? now : most;
     }
     return most;
@@ -158,7 +158,7 @@ START_TEST(substeps_are_as_many_as_options_let_them_be)
         int most = substeps_of(w);
         ck_assert_int_ge(most, o.substeps / 2);
         ck_assert_int_le(most, o.most_substeps);
-        tumble_free(w);
+        tumble_world_free(w);
     }
 }
 END_TEST
@@ -171,14 +171,15 @@ START_TEST(a_hard_step_takes_no_more_substeps_than_it_may)
         tumble_options o = tumble_options_default();
         if (k == 1) o.most_substeps = 12;
         tumble_world *w = of(&o);
-        tumble_body rope = tumble_add(w, tumble_rope(w, 20, 1, 0.01),
-                                      tumble_at(0, 0, 0));
-        tumble_body load = tumble_add(w, tumble_box(w, tumble_v(1, 1, 1), 50),
-                                      tumble_at(0.5, -0.5, 0));
-        tumble_pin(w, rope, 0);
-        tumble_hang(w, rope, 20, load);
+        tumble_body rope = tumble_body_add(w, tumble_shape_rope(w, 20, 1, 0.01),
+                                           tumble_body_at(0, 0, 0));
+        tumble_body load =
+            tumble_body_add(w, tumble_shape_box(w, tumble_v(1, 1, 1), 50),
+                            tumble_body_at(0.5, -0.5, 0));
+        tumble_body_pin(w, rope, 0);
+        tumble_joint_hang(w, rope, 20, load);
         taken[k] = substeps_of(w);
-        tumble_free(w);
+        tumble_world_free(w);
     }
     ck_assert_int_gt(taken[0], 12);
     ck_assert_int_le(taken[1], 12);
@@ -206,15 +207,15 @@ START_TEST(work_is_run_by_the_program_if_it_wants)
         for (int i = 0; i < 60; i++)
             add_box(w, 1.1 * (i % 5), 0.5 + i / 20, 1.1 * (i / 5 % 4));
         items_run = 0;
-        if (k == 2) tumble_run_on(w, backwards, &items_run);
+        if (k == 2) tumble_world_run_on(w, backwards, &items_run);
         run(w, 0.2);
         ck_assert(k == 0 ? items_run == 0 : items_run > 24);
         items_run = 0;
-        tumble_run_on(w, NULL, NULL);
+        tumble_world_run_on(w, NULL, NULL);
         run(w, 0.2);
         ck_assert_int_eq(items_run, 0);
-        hash[k] = tumble_hash(w);
-        tumble_free(w);
+        hash[k] = tumble_world_hash(w);
+        tumble_world_free(w);
     }
     ck_assert(hash[0] == hash[1] && hash[0] == hash[2]);
 }
@@ -228,35 +229,36 @@ START_TEST(a_report_counts_what_there_is)
     add_box(w, 0, 0.5, 0);
     add_box(w, 0, 1.5, 0);
     tumble_body hung = add_box(w, 9, 5, 0);
-    tumble_joint j = tumble_ball(w, tumble_ground(), hung, tumble_v(9, 6, 0));
+    tumble_joint j = tumble_joint_ball(w, tumble_body_ground(), hung,
+                                       tumble_v(9, 6, 0));
     run(w, 0.2);
-    tumble_report r = tumble_last_step(w);
+    tumble_report r = tumble_world_last_step(w);
     ck_assert_int_eq(r.bodies, 3);
     ck_assert_int_eq(r.asleep, 0);
     ck_assert_int_ge(r.pairs, 1);
     ck_assert_int_eq(r.contacts, 2);
     ck_assert_int_ge(r.substeps, 1);
     ck_assert_int_eq(r.unconverged + r.dropped + r.broken, 0);
-    tumble_set_strength(w, j, 1);
-    tumble_step(w);
-    ck_assert_int_eq(tumble_last_step(w).broken, 1);
-    tumble_step(w);
-    ck_assert_int_eq(tumble_last_step(w).broken, 0);
+    tumble_joint_set_strength(w, j, 1);
+    tumble_world_step(w);
+    ck_assert_int_eq(tumble_world_last_step(w).broken, 1);
+    tumble_world_step(w);
+    ck_assert_int_eq(tumble_world_last_step(w).broken, 0);
     // Two in one place have to part first.
     add_box(w, 20, 0.5, 0);
     add_box(w, 20.1, 0.6, 0);
-    tumble_step(w);
-    ck_assert_int_ge(tumble_last_step(w).unconverged, 1);
-    ck_assert_double_gt(tumble_measure(w).penetration, 0.1);
+    tumble_world_step(w);
+    ck_assert_int_ge(tumble_world_last_step(w).unconverged, 1);
+    ck_assert_double_gt(tumble_world_measure(w).penetration, 0.1);
     // And without memory there are contacts that found none.
     for (int k = 0; k < 40; k++) add_box(w, 1.1 * (k % 7), 0.5, 5 + k / 7 * 1.1);
     mallocs_left = 0;
-    tumble_step(w);
+    tumble_world_step(w);
     mallocs_left = INT_MAX;
-    ck_assert_int_gt(tumble_last_step(w).dropped, 0);
-    tumble_step(w);
-    ck_assert_int_eq(tumble_last_step(w).dropped, 0);
-    tumble_free(w);
+    ck_assert_int_gt(tumble_world_last_step(w).dropped, 0);
+    tumble_world_step(w);
+    ck_assert_int_eq(tumble_world_last_step(w).dropped, 0);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -265,13 +267,13 @@ END_TEST
 START_TEST(measures_are_those_of_the_textbook)
 {
     tumble_world *w = with_floor(NULL);
-    tumble_body_options o = tumble_at(3, 7, 0);
+    tumble_body_options o = tumble_body_at(3, 7, 0);
     o.velocity = tumble_v(0, 0, 5);
     o.spin = tumble_v(0, 6, 0);
-    tumble_add(w, a_box(w), o);
-    tumble_body rope = tumble_add(w, tumble_rope(w, 4, 4, 1),
-                                  tumble_at(0, 90, 0));
-    tumble_measures m = tumble_measure(w);
+    tumble_body_add(w, a_box(w), o);
+    tumble_body rope = tumble_body_add(w, tumble_shape_rope(w, 4, 4, 1),
+                                       tumble_body_at(0, 90, 0));
+    tumble_measures m = tumble_world_measure(w);
     // (Half a substep ago, by the chord of a fall that begins at rest.)
     double fall = 9.81 / 240 / 240 / 4;
     near(m.potential, 2 * 9.81 * (7 - fall) + 9.81 * (90 - fall), 1e-9);
@@ -280,11 +282,11 @@ START_TEST(measures_are_those_of_the_textbook)
     near(m.angular.x, 7 * 10, 1e-9);
     near(m.angular.y, 2 - 3 * 10, 1e-9);
     near(m.strain, 0, 1e-12);
-    tumble_pin(w, rope, 0);
-    tumble_set_stretch(w, rope, 1e-2);
+    tumble_body_pin(w, rope, 0);
+    tumble_body_set_stretch(w, rope, 1e-2);
     run(w, 0.5);
-    ck_assert_double_gt(tumble_measure(w).strain, 0.01);
-    tumble_free(w);
+    ck_assert_double_gt(tumble_world_measure(w).strain, 0.01);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -296,7 +298,7 @@ START_TEST(a_body_takes_its_options_at_once_or_later)
     unsigned long long hash[3];
     for (int k = 0; k < 3; k++) {
         tumble_world *w = with_floor(NULL);
-        tumble_body_options o = tumble_at(0, 0.7, 0), full = o;
+        tumble_body_options o = tumble_body_at(0, 0.7, 0), full = o;
         full.velocity = tumble_v(2, 1, 0);
         full.spin = tumble_v(0, 1, 0.5);
         full.friction = 0.1;
@@ -306,18 +308,18 @@ START_TEST(a_body_takes_its_options_at_once_or_later)
         full.group = 2;
         full.mask = 5;
         add_box(w, 0.2, 2.5, 0);
-        tumble_body b = tumble_add(w, a_box(w), k == 0 ? full : o);
+        tumble_body b = tumble_body_add(w, a_box(w), k == 0 ? full : o);
         if (k == 1) {
-            tumble_set_velocity(w, b, full.velocity, full.spin);
-            tumble_set_material(w, b, full.friction, full.restitution);
-            tumble_set_damping(w, b, full.damping, full.spin_damping);
-            tumble_set_filter(w, b, full.group, full.mask);
+            tumble_body_set_velocity(w, b, full.velocity, full.spin);
+            tumble_body_set_material(w, b, full.friction, full.restitution);
+            tumble_body_set_damping(w, b, full.damping, full.spin_damping);
+            tumble_body_set_filter(w, b, full.group, full.mask);
         }
-        near(tumble_spin(w, b).y, k < 2, 1e-9);
+        near(tumble_body_spin(w, b).y, k < 2, 1e-9);
         run(w, 1.5);
-        hash[k] = tumble_hash(w);
+        hash[k] = tumble_world_hash(w);
         expect_fine(w);
-        tumble_free(w);
+        tumble_world_free(w);
     }
     ck_assert(hash[0] == hash[1]);
     ck_assert(hash[0] != hash[2]);
@@ -330,25 +332,26 @@ START_TEST(what_is_too_far_for_its_numbers_is_refused)
 {
     const double far[] = { 2e9, 1e15, 1e17, 1e300, HUGE_VAL };
     tumble_world *w = weightless();
-    tumble_body_options o = tumble_at(9e8, 0, 0);
+    tumble_body_options o = tumble_body_at(9e8, 0, 0);
     o.spin = tumble_v(0, 1, 0);
-    tumble_body b = tumble_add(w, a_box(w), o);
+    tumble_body b = tumble_body_add(w, a_box(w), o);
     for (int k = 0; k < 5; k++) {
         tumble_pose there = { { 0, far[k], 0 }, { 0, 0, 0, 1 } };
-        tumble_body none = tumble_add(w, a_box(w), tumble_at(0, far[k], 0));
+        tumble_body none = tumble_body_add(w, a_box(w),
+                                           tumble_body_at(0, far[k], 0));
         ck_assert_uint_eq(none.generation, 0);
-        ck_assert_ptr_nonnull(tumble_failure(w));
-        tumble_forget_failure(w);
-        ck_assert(!tumble_set_pose(w, b, there));
-        ck_assert_ptr_nonnull(tumble_failure(w));
-        tumble_forget_failure(w);
+        ck_assert_ptr_nonnull(tumble_world_failure(w));
+        tumble_world_forget_failure(w);
+        ck_assert(!tumble_body_set_pose(w, b, there));
+        ck_assert_ptr_nonnull(tumble_world_failure(w));
+        tumble_world_forget_failure(w);
     }
-    ck_assert_int_eq(tumble_bodies(w, NULL, 0), 1);
+    ck_assert_int_eq(tumble_world_bodies(w, NULL, 0), 1);
     run(w, 1);
-    near(tumble_position(w, b).x, 9e8, 1e-5);
-    near(tumble_spin(w, b).y, 1, 1e-3);
-    ck_assert_double_lt(tumble_measure(w).strain, 1e-5);
-    tumble_free(w);
+    near(tumble_body_position(w, b).x, 9e8, 1e-5);
+    near(tumble_body_spin(w, b).y, 1, 1e-3);
+    ck_assert_double_lt(tumble_world_measure(w).strain, 1e-5);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -358,22 +361,23 @@ START_TEST(a_kinematic_body_turns_as_it_was_told)
     const double pi = acos(-1);
     for (int k = 0; k < 2; k++) {
         tumble_world *w = of(NULL);
-        tumble_body_options o = tumble_at(0, 0, 0);
+        tumble_body_options o = tumble_body_at(0, 0, 0);
         o.kind = TUMBLE_KINEMATIC;
         if (k == 0) o.spin = tumble_v(0, pi, 0);
-        tumble_body b = tumble_add(w, a_box(w), o);
+        tumble_body b = tumble_body_add(w, a_box(w), o);
         if (k == 1)
-            tumble_set_velocity(w, b, tumble_v(0, 0, 0), tumble_v(0, pi, 0));
+            tumble_body_set_velocity(w, b, tumble_v(0, 0, 0),
+                                     tumble_v(0, pi, 0));
         run(w, 1);
-        near(fabs(tumble_get_pose(w, b).rotation.y), 1, 1e-6);
-        near(tumble_spin(w, b).y, pi, 1e-9);
+        near(fabs(tumble_body_pose(w, b).rotation.y), 1, 1e-6);
+        near(tumble_body_spin(w, b).y, pi, 1e-9);
         // What moves it stands outside of the books.
-        tumble_set_velocity(w, b, tumble_v(3, 0, 0), tumble_v(0, pi, 0));
+        tumble_body_set_velocity(w, b, tumble_v(3, 0, 0), tumble_v(0, pi, 0));
         run(w, 0.1);
-        ck_assert(tumble_mass(w, b) == 0);
-        near(tumble_measure(w).kinetic, 0, 0);
-        near(tumble_measure(w).momentum.x, 0, 0);
-        tumble_free(w);
+        ck_assert(tumble_body_mass(w, b) == 0);
+        near(tumble_world_measure(w).kinetic, 0, 0);
+        near(tumble_world_measure(w).momentum.x, 0, 0);
+        tumble_world_free(w);
     }
 }
 END_TEST
@@ -383,23 +387,24 @@ END_TEST
 START_TEST(all_pieces_take_what_a_body_is_given)
 {
     tumble_world *w = of(NULL);
-    tumble_shape tile = tumble_box(w, tumble_v(8, 1, 8), 1);
+    tumble_shape tile = tumble_shape_box(w, tumble_v(8, 1, 8), 1);
     const tumble_shape piece[2] = { tile, tile };
     const tumble_pose where[2] = { { { 0, -0.5, 0 }, { 0, 0, 0, 1 } },
                                    { { 0, -0.5, 20 }, { 0, 0, 0, 1 } } };
-    tumble_body stage = tumble_add_pieces(w, piece, where, 2,
-                                          tumble_at(0, 0, 0));
+    tumble_body stage = tumble_body_add_pieces(w, piece, where, 2,
+                                               tumble_body_at(0, 0, 0));
     tumble_body b[2] = { add_box(w, 0, 0.5, 0), add_box(w, 0, 0.5, 20) };
-    ck_assert(tumble_set_material(w, stage, 0, 0));
+    ck_assert(tumble_body_set_material(w, stage, 0, 0));
     for (int k = 0; k < 2; k++)
-        tumble_push(w, b[k], tumble_v(2, 0, 0), tumble_position(w, b[k]));
+        tumble_body_push(w, b[k], tumble_v(2, 0, 0),
+                         tumble_body_position(w, b[k]));
     run(w, 1);
-    for (int k = 0; k < 2; k++) near(tumble_position(w, b[k]).x, 1, 0.01);
-    ck_assert(tumble_set_filter(w, stage, 4, 0));
+    for (int k = 0; k < 2; k++) near(tumble_body_position(w, b[k]).x, 1, 0.01);
+    ck_assert(tumble_body_set_filter(w, stage, 4, 0));
     run(w, 0.5);
     for (int k = 0; k < 2; k++)
-        near(tumble_position(w, b[k]).y, 0.5 - 9.81 / 8, 0.1);
-    tumble_free(w);
+        near(tumble_body_position(w, b[k]).y, 0.5 - 9.81 / 8, 0.1);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -411,15 +416,15 @@ START_TEST(what_is_put_elsewhere_wakes_what_it_left_and_what_it_meets)
     tumble_body low = add_box(w, 0, 0.5, 0), high = add_box(w, 0, 1.5, 0);
     tumble_body far = add_box(w, 9, 0.5, 0);
     run(w, 3);
-    ck_assert_int_eq(tumble_last_step(w).asleep, 3);
+    ck_assert_int_eq(tumble_world_last_step(w).asleep, 3);
     tumble_pose there = { { 9, 1.45, 0 }, { 0, 0, 0, 1 } };
-    ck_assert(tumble_set_pose(w, low, there));
-    ck_assert(tumble_is_awake(w, high));
-    ck_assert(tumble_is_awake(w, far));
+    ck_assert(tumble_body_set_pose(w, low, there));
+    ck_assert(tumble_body_is_awake(w, high));
+    ck_assert(tumble_body_is_awake(w, far));
     run(w, 2);
-    near(tumble_position(w, high).y, 0.5, 2e-3);
-    near(tumble_position(w, low).y, 1.5, 4e-3);
-    tumble_free(w);
+    near(tumble_body_position(w, high).y, 0.5, 2e-3);
+    near(tumble_body_position(w, low).y, 1.5, 4e-3);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -428,23 +433,24 @@ END_TEST
 START_TEST(cloth_meets_a_body_where_it_was_put)
 {
     tumble_world *w = with_floor(NULL);
-    tumble_body_options o = tumble_at(0, 1, 0);
+    tumble_body_options o = tumble_body_at(0, 1, 0);
     o.kind = TUMBLE_STATIC;
-    tumble_body b = tumble_add(w, a_box(w), o);
-    tumble_body sheet = tumble_add(w, tumble_cloth(w, 9, 9, 0.8, 0.8, 0.1),
-                                   tumble_at(0, 1.6, 0));
+    tumble_body b = tumble_body_add(w, a_box(w), o);
+    tumble_body sheet =
+        tumble_body_add(w, tumble_shape_cloth(w, 9, 9, 0.8, 0.8, 0.1),
+                        tumble_body_at(0, 1.6, 0));
     run(w, 1);
-    near(tumble_vertex(w, sheet, 40).y, 1.5, 0.1);
-    ck_assert(tumble_set_pose(w, b, (tumble_pose){ { 9, 1, 0 },
-                                                   { 0, 0, 0, 1 } }));
+    near(tumble_body_vertex(w, sheet, 40).y, 1.5, 0.1);
+    ck_assert(tumble_body_set_pose(w, b, (tumble_pose){ { 9, 1, 0 },
+                                                        { 0, 0, 0, 1 } }));
     run(w, 0.4);
-    double fallen = tumble_vertex(w, sheet, 40).y;
+    double fallen = tumble_body_vertex(w, sheet, 40).y;
     near(fallen, 1.5 - 9.81 * 0.16 / 2, 0.15);
-    ck_assert(tumble_set_pose(w, b, (tumble_pose){ { 0, fallen - 0.7, 0 },
-                                                   { 0, 0, 0, 1 } }));
+    ck_assert(tumble_body_set_pose(w, b, (tumble_pose){ { 0, fallen - 0.7, 0 },
+                                                        { 0, 0, 0, 1 } }));
     run(w, 2);
-    near(tumble_vertex(w, sheet, 40).y, fallen - 0.2, 0.1);
-    tumble_free(w);
+    near(tumble_body_vertex(w, sheet, 40).y, fallen - 0.2, 0.1);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -459,24 +465,26 @@ START_TEST(what_falls_on_a_sheet_on_the_floor_lies_there)
         tumble_options o = tumble_options_default();
         o.substeps = k < 3 ? 8 : 17;
         tumble_world *w = with_floor(&o);
-        tumble_add(w, tumble_cloth(w, 20, 20, 1.5, 1.5, 0.4),
-                   tumble_at(0, 0.05, 0));
-        tumble_shape s = k % 3 == 0 ? tumble_box(w, tumble_v(0.3, 0.3, 0.3), 1)
-                       : k % 3 == 1 ? tumble_sphere(w, 0.15, 1)
-                       : tumble_capsule(w, 0.4, 0.15, 1);
-        tumble_body b = tumble_add(w, s, tumble_at(0.01, 0.9, 0.02));
+        tumble_body_add(w, tumble_shape_cloth(w, 20, 20, 1.5, 1.5, 0.4),
+                        tumble_body_at(0, 0.05, 0));
+        tumble_shape s =
+            k % 3 == 0 ? tumble_shape_box(w, tumble_v(0.3, 0.3, 0.3), 1)
+          : k % 3 == 1 ? tumble_shape_sphere(w, 0.15, 1)
+                       : tumble_shape_capsule(w, 0.4, 0.15, 1);
+        tumble_body b = tumble_body_add(w, s, tumble_body_at(0.01, 0.9, 0.02));
         double least = HUGE_VAL, unit = 9.81 * 0.9, fastest = 0;
         for (int f = 0; f < 120; f++) {
-            tumble_step(w);
-            tumble_measures m = tumble_measure(w);
+            tumble_world_step(w);
+            tumble_measures m = tumble_world_measure(w);
             least = fmin(least, m.kinetic + m.potential);
             ck_assert_msg(m.kinetic + m.potential < least + 0.2 * unit,
                           "%d: %g J are won", k, m.kinetic + m.potential - least);
-            fastest = fmax(fastest, tumble_velocity(w, b).y);
+            fastest = fmax(fastest, tumble_body_velocity(w, b).y);
         }
         ck_assert_msg(fastest < 1, "%d: up by %g m/s", k, fastest);
-        if (k % 3 == 0) near(tumble_position(w, b).y, 0.15 + 1.1 * 1.5 / 19, 1e-3);
-        tumble_free(w);
+        if (k % 3 == 0)
+            near(tumble_body_position(w, b).y, 0.15 + 1.1 * 1.5 / 19, 1e-3);
+        tumble_world_free(w);
     }
 }
 END_TEST
@@ -486,14 +494,14 @@ END_TEST
 START_TEST(an_impulse_on_a_vertex_is_divided_by_its_mass)
 {
     tumble_world *w = weightless();
-    tumble_body rope = tumble_add(w, tumble_rope(w, 4, 4, 0.5),
-                                  tumble_at(0, 0, 0));
-    ck_assert(tumble_push_vertex(w, rope, 2, tumble_v(0, 0.2, 0)));
-    near(tumble_measure(w).momentum.y, 0.2, 1e-9);
-    near(tumble_velocity(w, rope).y, 0.4, 0.1);
+    tumble_body rope = tumble_body_add(w, tumble_shape_rope(w, 4, 4, 0.5),
+                                       tumble_body_at(0, 0, 0));
+    ck_assert(tumble_body_push_vertex(w, rope, 2, tumble_v(0, 0.2, 0)));
+    near(tumble_world_measure(w).momentum.y, 0.2, 1e-9);
+    near(tumble_body_velocity(w, rope).y, 0.4, 0.1);
     run(w, 1);
-    near(tumble_measure(w).momentum.y, 0.2, 1e-9);
-    tumble_free(w);
+    near(tumble_world_measure(w).momentum.y, 0.2, 1e-9);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -502,19 +510,21 @@ START_TEST(a_rope_gives_as_it_was_told)
 {
     for (int k = 0; k < 2; k++) {
         tumble_world *w = of(NULL);
-        tumble_body rope = tumble_add(w, tumble_rope(w, 5, 1, 0.001),
-                                      tumble_at(0, 0, 0));
-        tumble_body_options o = tumble_at(1.5, 0, 0);
+        tumble_body rope = tumble_body_add(w, tumble_shape_rope(w, 5, 1, 0.001),
+                                           tumble_body_at(0, 0, 0));
+        tumble_body_options o = tumble_body_at(1.5, 0, 0);
         o.damping = 3;
-        tumble_body b = tumble_add(w, tumble_box(w, tumble_v(1, 1, 1), 1), o);
-        tumble_pin(w, rope, 0);
-        tumble_hang(w, rope, 5, b);
-        ck_assert(tumble_set_damping(w, rope, 3, 0));
-        if (k == 1) ck_assert(tumble_set_stretch(w, rope, 0.01));
+        tumble_body b =
+            tumble_body_add(w, tumble_shape_box(w, tumble_v(1, 1, 1), 1), o);
+        tumble_body_pin(w, rope, 0);
+        tumble_joint_hang(w, rope, 5, b);
+        ck_assert(tumble_body_set_damping(w, rope, 3, 0));
+        if (k == 1) ck_assert(tumble_body_set_stretch(w, rope, 0.01));
         run(w, 20);
-        double top = tumble_vertex(w, rope, 0).y;
-        near(top - tumble_vertex(w, rope, 5).y, k ? 1 + 0.01 * 9.81 : 1, 0.01);
-        tumble_free(w);
+        double top = tumble_body_vertex(w, rope, 0).y;
+        near(top - tumble_body_vertex(w, rope, 5).y, k ? 1 + 0.01 * 9.81 : 1,
+             0.01);
+        tumble_world_free(w);
     }
 }
 END_TEST
@@ -526,17 +536,18 @@ START_TEST(a_strip_is_as_stiff_as_it_was_told)
     for (int k = 0; k < 2; k++) {
         const double q = 0.1 * 9.81, stiff = 2;
         tumble_world *w = of(NULL);
-        tumble_body rope = tumble_add(w, tumble_rope(w, 20, 1, 0.1),
-                                      tumble_at(0, 0, 0));
-        tumble_pin(w, rope, 0);
-        tumble_pin(w, rope, 1);
-        tumble_set_damping(w, rope, 2, 0);
-        if (k == 1) ck_assert(tumble_set_bending(w, rope, stiff));
+        tumble_body rope = tumble_body_add(w, tumble_shape_rope(w, 20, 1, 0.1),
+                                           tumble_body_at(0, 0, 0));
+        tumble_body_pin(w, rope, 0);
+        tumble_body_pin(w, rope, 1);
+        tumble_body_set_damping(w, rope, 2, 0);
+        if (k == 1) ck_assert(tumble_body_set_bending(w, rope, stiff));
         run(w, 15);
-        double sag = tumble_vertex(w, rope, 0).y - tumble_vertex(w, rope, 20).y;
+        double sag = tumble_body_vertex(w, rope, 0).y
+            - tumble_body_vertex(w, rope, 20).y;
         if (k == 0) ck_assert_double_gt(sag, 0.8);
         else near(sag, q * pow(0.95, 4) / (8 * stiff), 0.2 * sag);
-        tumble_free(w);
+        tumble_world_free(w);
     }
 }
 END_TEST
@@ -547,14 +558,15 @@ START_TEST(a_joint_of_strength_zero_never_breaks)
 {
     tumble_world *w = of(NULL);
     tumble_body b = add_box(w, 0, 0, 0);
-    tumble_joint j = tumble_ball(w, tumble_ground(), b, tumble_v(0, 0.5, 0));
-    tumble_set_strength(w, j, 1);
-    ck_assert(tumble_set_strength(w, j, 0));
+    tumble_joint j = tumble_joint_ball(w, tumble_body_ground(), b,
+                                       tumble_v(0, 0.5, 0));
+    tumble_joint_set_strength(w, j, 1);
+    ck_assert(tumble_joint_set_strength(w, j, 0));
     run(w, 0.2);
-    tumble_push(w, b, tumble_v(0, -100, 0), tumble_position(w, b));
+    tumble_body_push(w, b, tumble_v(0, -100, 0), tumble_body_position(w, b));
     run(w, 0.2);
-    ck_assert(tumble_is_joined(w, j));
-    tumble_free(w);
+    ck_assert(tumble_joint_exists(w, j));
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -563,31 +575,32 @@ END_TEST
 START_TEST(a_vertex_is_held_and_let_go_when_it_bears_too_much)
 {
     tumble_world *w = of(NULL);
-    tumble_body rope = tumble_add(w, tumble_rope(w, 10, 2, 0.1),
-                                  tumble_at(0, 0, 0));
+    tumble_body rope = tumble_body_add(w, tumble_shape_rope(w, 10, 2, 0.1),
+                                       tumble_body_at(0, 0, 0));
     tumble_body box = add_box(w, 0, -0.7, 0);
-    tumble_vec3 was = tumble_vertex(w, rope, 0);
-    tumble_joint held = tumble_hang(w, rope, 0, tumble_ground());
-    tumble_joint hung = tumble_hang(w, rope, 5, box);
-    tumble_set_damping(w, rope, 2, 0);
-    tumble_set_damping(w, box, 2, 2);
+    tumble_vec3 was = tumble_body_vertex(w, rope, 0);
+    tumble_joint held = tumble_joint_hang(w, rope, 0, tumble_body_ground());
+    tumble_joint hung = tumble_joint_hang(w, rope, 5, box);
+    tumble_body_set_damping(w, rope, 2, 0);
+    tumble_body_set_damping(w, box, 2, 2);
     run(w, 10);
     expect_fine(w);
-    tumble_vec3 is = tumble_vertex(w, rope, 0), mid = tumble_vertex(w, rope, 5);
+    tumble_vec3 is = tumble_body_vertex(w, rope, 0),
+                mid = tumble_body_vertex(w, rope, 5);
     near(hypot(is.x - was.x, hypot(is.y - was.y, is.z - was.z)), 0, 1e-9);
     near(is.y - mid.y, 1, 0.02);
     near(tumble_joint_force(w, hung), 2 * 9.81, 1);
-    tumble_vec3 at = tumble_position(w, box);
+    tumble_vec3 at = tumble_body_position(w, box);
     near(hypot(at.x - mid.x, hypot(at.y - mid.y, at.z - mid.z)), 0.7, 0.01);
-    ck_assert(tumble_set_strength(w, hung, 2 * 9.81 + 10));
+    ck_assert(tumble_joint_set_strength(w, hung, 2 * 9.81 + 10));
     run(w, 1);
-    ck_assert(tumble_is_joined(w, hung));
-    tumble_push(w, box, tumble_v(0, -20, 0), at);
+    ck_assert(tumble_joint_exists(w, hung));
+    tumble_body_push(w, box, tumble_v(0, -20, 0), at);
     run(w, 0.5);
-    ck_assert(!tumble_is_joined(w, hung));
-    ck_assert(tumble_is_joined(w, held));
-    ck_assert_double_lt(tumble_position(w, box).y, at.y - 1);
-    tumble_free(w);
+    ck_assert(!tumble_joint_exists(w, hung));
+    ck_assert(tumble_joint_exists(w, held));
+    ck_assert_double_lt(tumble_body_position(w, box).y, at.y - 1);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -596,20 +609,22 @@ START_TEST(new_limits_wake_what_they_move)
 {
     tumble_world *w = with_floor(NULL);
     tumble_body door = add_box(w, 0, 0.5, 0);
-    tumble_joint h = tumble_hinge(w, tumble_ground(), door,
-                                  tumble_v(-0.5, 0.5, 0), tumble_v(0, 1, 0));
+    tumble_joint h = tumble_joint_hinge(w, tumble_body_ground(), door,
+                                        tumble_v(-0.5, 0.5, 0),
+                                        tumble_v(0, 1, 0));
     tumble_body box = add_box(w, 5, 0.5, 0);
-    tumble_joint d = tumble_distance(w, tumble_ground(), tumble_v(8, 0.5, 0),
-                                     box, tumble_v(5, 0.5, 0), 0, 3);
+    tumble_joint d = tumble_joint_distance(w, tumble_body_ground(),
+                                           tumble_v(8, 0.5, 0), box,
+                                           tumble_v(5, 0.5, 0), 0, 3);
     run(w, 3);
-    ck_assert(!tumble_is_awake(w, door) && !tumble_is_awake(w, box));
-    ck_assert(tumble_set_limits(w, h, 0.3, 0.5));
-    ck_assert(tumble_set_limits(w, d, 0, 2.5));
-    ck_assert(tumble_is_awake(w, door) && tumble_is_awake(w, box));
+    ck_assert(!tumble_body_is_awake(w, door) && !tumble_body_is_awake(w, box));
+    ck_assert(tumble_joint_set_limits(w, h, 0.3, 0.5));
+    ck_assert(tumble_joint_set_limits(w, d, 0, 2.5));
+    ck_assert(tumble_body_is_awake(w, door) && tumble_body_is_awake(w, box));
     run(w, 2);
-    near(tumble_hinge_angle(w, h), 0.3, 0.02);
-    near(tumble_position(w, box).x, 5.5, 0.02);
-    tumble_free(w);
+    near(tumble_joint_angle(w, h), 0.3, 0.02);
+    near(tumble_body_position(w, box).x, 5.5, 0.02);
+    tumble_world_free(w);
 }
 END_TEST
 

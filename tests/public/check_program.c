@@ -26,16 +26,16 @@ static void near_vec3(tumble_vec3 got, double x, double y, double z,
 
 static void expect_failure(tumble_world *w, const char *part)
 {
-    const char *why = tumble_failure(w);
+    const char *why = tumble_world_failure(w);
     ck_assert_ptr_nonnull(why);
     ck_assert_msg(strstr(why, part) != NULL, "said: %s\nwanted: %s", why, part);
-    tumble_forget_failure(w);
-    ck_assert_ptr_null(tumble_failure(w));
+    tumble_world_forget_failure(w);
+    ck_assert_ptr_null(tumble_world_failure(w));
 }
 
 static void expect_fine(const tumble_world *w)
 {
-    const char *why = tumble_failure(w);
+    const char *why = tumble_world_failure(w);
     ck_assert_msg(why == NULL, "failed: %s", why);
 }
 
@@ -43,38 +43,38 @@ static tumble_world *weightless(void)
 {
     tumble_options o = tumble_options_default();
     o.gravity = tumble_v(0, 0, 0);
-    tumble_world *w = tumble_make(&o);
+    tumble_world *w = tumble_world_make(&o);
     ck_assert_ptr_nonnull(w);
     return w;
 }
 
 static tumble_world *with_floor(void)
 {
-    tumble_world *w = tumble_make(NULL);
+    tumble_world *w = tumble_world_make(NULL);
     ck_assert_ptr_nonnull(w);
-    ck_assert(tumble_add_plane(w, tumble_v(0, 1, 0), 0, -1).generation > 0);
+    ck_assert(tumble_plane_add(w, tumble_v(0, 1, 0), 0, -1).generation > 0);
     return w;
 }
 
 static void run(tumble_world *w, double seconds)
 {
     int steps = (int)(seconds * 60 + 0.5);
-    for (int k = 0; k < steps; k++) tumble_step(w);
+    for (int k = 0; k < steps; k++) tumble_world_step(w);
 }
 
 static tumble_body add_box(tumble_world *w, double x, double y, double z)
 {
-    return tumble_add(w, tumble_box(w, tumble_v(1, 1, 1), 2),
-                      tumble_at(x, y, z));
+    return tumble_body_add(w, tumble_shape_box(w, tumble_v(1, 1, 1), 2),
+                           tumble_body_at(x, y, z));
 }
 
 START_TEST(a_world_that_cannot_be_says_which_option)
 {
     tumble_options o = tumble_options_default();
     o.dt = 2;
-    ck_assert_ptr_null(tumble_make(&o));
+    ck_assert_ptr_null(tumble_world_make(&o));
     expect_failure(NULL, "dt is 2");
-    tumble_free(NULL);
+    tumble_world_free(NULL);
 }
 END_TEST
 
@@ -83,14 +83,14 @@ START_TEST(a_body_falls_as_galileo_says_and_lies)
     tumble_world *w = with_floor();
     tumble_body b = add_box(w, 0, 5, 0);
     run(w, 0.5);
-    near(tumble_position(w, b).y, 5 - 9.81 / 8, 1e-9);
-    near(tumble_time(w), 0.5, 1e-12);
+    near(tumble_body_position(w, b).y, 5 - 9.81 / 8, 1e-9);
+    near(tumble_world_time(w), 0.5, 1e-12);
     run(w, 5);
-    near(tumble_position(w, b).y, 0.5, 1e-3);
-    ck_assert(!tumble_is_awake(w, b));
-    ck_assert_int_eq(tumble_last_step(w).asleep, 1);
+    near(tumble_body_position(w, b).y, 0.5, 1e-3);
+    ck_assert(!tumble_body_is_awake(w, b));
+    ck_assert_int_eq(tumble_world_last_step(w).asleep, 1);
     expect_fine(w);
-    tumble_free(w);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -98,52 +98,52 @@ END_TEST
 START_TEST(the_id_of_a_body_that_is_gone_is_refused)
 {
     tumble_world *w = with_floor();
-    tumble_shape s = tumble_box(w, tumble_v(1, 1, 1), 2);
-    tumble_body car = tumble_add(w, s, tumble_at(0, 2, 0));
-    ck_assert(tumble_remove(w, car));
-    tumble_body crate = tumble_add(w, s, tumble_at(0, 2, 0));
+    tumble_shape s = tumble_shape_box(w, tumble_v(1, 1, 1), 2);
+    tumble_body car = tumble_body_add(w, s, tumble_body_at(0, 2, 0));
+    ck_assert(tumble_body_remove(w, car));
+    tumble_body crate = tumble_body_add(w, s, tumble_body_at(0, 2, 0));
     ck_assert_uint_eq(car.place, crate.place);
-    ck_assert(!tumble_has(w, car));
-    ck_assert(tumble_has(w, crate));
-    ck_assert(!tumble_push(w, car, tumble_v(1, 0, 0), tumble_v(0, 2, 0)));
+    ck_assert(!tumble_body_exists(w, car));
+    ck_assert(tumble_body_exists(w, crate));
+    ck_assert(!tumble_body_push(w, car, tumble_v(1, 0, 0), tumble_v(0, 2, 0)));
     expect_failure(w, "body 0 is gone");
-    near_vec3(tumble_velocity(w, crate), 0, 0, 0, 1e-12);
-    ck_assert(!tumble_remove(w, car));
-    ck_assert_int_eq(tumble_bodies(w, NULL, 0), 1);
-    tumble_free(w);
+    near_vec3(tumble_body_velocity(w, crate), 0, 0, 0, 1e-12);
+    ck_assert(!tumble_body_remove(w, car));
+    ck_assert_int_eq(tumble_world_bodies(w, NULL, 0), 1);
+    tumble_world_free(w);
 }
 END_TEST
 
 START_TEST(the_first_failure_is_the_one_that_is_kept)
 {
     tumble_world *w = with_floor();
-    tumble_shape s = tumble_box(w, tumble_v(1, -1, 1), 2);
+    tumble_shape s = tumble_shape_box(w, tumble_v(1, -1, 1), 2);
     ck_assert_uint_eq(s.generation, 0);
-    tumble_body b = tumble_add(w, s, tumble_at(0, 0, 0));
+    tumble_body b = tumble_body_add(w, s, tumble_body_at(0, 0, 0));
     ck_assert_uint_eq(b.generation, 0);
-    ck_assert(!tumble_wake(w, b));
-    tumble_step(w);
+    ck_assert(!tumble_body_wake(w, b));
+    tumble_world_step(w);
     expect_failure(w, "side");
-    tumble_wake(w, b);
+    tumble_body_wake(w, b);
     expect_failure(w, "the id of a body is zero");
-    tumble_free(w);
+    tumble_world_free(w);
 }
 END_TEST
 
 START_TEST(a_shape_stays_as_long_as_a_body_is_made_of_it)
 {
     tumble_world *w = with_floor();
-    tumble_shape s = tumble_box(w, tumble_v(1, 1, 1), 2);
-    tumble_body b = tumble_add(w, s, tumble_at(0, 2, 0));
-    ck_assert(!tumble_drop_shape(w, s));
+    tumble_shape s = tumble_shape_box(w, tumble_v(1, 1, 1), 2);
+    tumble_body b = tumble_body_add(w, s, tumble_body_at(0, 2, 0));
+    ck_assert(!tumble_shape_remove(w, s));
     expect_failure(w, "1 bodies");
-    tumble_step(w);
-    tumble_remove(w, b);
-    ck_assert(tumble_drop_shape(w, s));
-    ck_assert(!tumble_drop_shape(w, s));
+    tumble_world_step(w);
+    tumble_body_remove(w, b);
+    ck_assert(tumble_shape_remove(w, s));
+    ck_assert(!tumble_shape_remove(w, s));
     expect_failure(w, "shape 0 is gone");
-    tumble_step(w);
-    tumble_free(w);
+    tumble_world_step(w);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -153,14 +153,14 @@ START_TEST(a_push_gives_velocity_and_spin)
 {
     tumble_world *w = weightless();
     tumble_body b = add_box(w, 1, 2, 3);
-    ck_assert(tumble_push(w, b, tumble_v(0, 0, 3), tumble_v(1.5, 2, 3)));
-    near_vec3(tumble_velocity(w, b), 0, 0, 1.5, 1e-12);
-    near_vec3(tumble_spin(w, b), 0, -4.5, 0, 1e-12);
+    ck_assert(tumble_body_push(w, b, tumble_v(0, 0, 3), tumble_v(1.5, 2, 3)));
+    near_vec3(tumble_body_velocity(w, b), 0, 0, 1.5, 1e-12);
+    near_vec3(tumble_body_spin(w, b), 0, -4.5, 0, 1e-12);
     run(w, 1);
-    near_vec3(tumble_position(w, b), 1, 2, 4.5, 1e-9);
-    near_vec3(tumble_spin(w, b), 0, -4.5, 0, 1e-6);
+    near_vec3(tumble_body_position(w, b), 1, 2, 4.5, 1e-9);
+    near_vec3(tumble_body_spin(w, b), 0, -4.5, 0, 1e-6);
     expect_fine(w);
-    tumble_free(w);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -169,13 +169,14 @@ START_TEST(a_force_acts_for_one_step)
     tumble_world *w = weightless();
     tumble_body b = add_box(w, 0, 0, 0);
     for (int k = 0; k < 60; k++) {
-        ck_assert(tumble_force(w, b, tumble_v(4, 0, 0), tumble_v(0, 0, 0)));
-        tumble_step(w);
+        ck_assert(tumble_body_force(w, b, tumble_v(4, 0, 0),
+                                    tumble_v(0, 0, 0)));
+        tumble_world_step(w);
     }
-    near_vec3(tumble_velocity(w, b), 2, 0, 0, 1e-9);
+    near_vec3(tumble_body_velocity(w, b), 2, 0, 0, 1e-9);
     run(w, 1);
-    near_vec3(tumble_velocity(w, b), 2, 0, 0, 1e-9);
-    tumble_free(w);
+    near_vec3(tumble_body_velocity(w, b), 2, 0, 0, 1e-9);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -184,11 +185,11 @@ START_TEST(a_torque_spins_by_the_inertia)
     tumble_world *w = weightless();
     tumble_body b = add_box(w, 0, 0, 0);
     for (int k = 0; k < 60; k++) {
-        tumble_force(w, b, tumble_v(0, 0, 0), tumble_v(0, 0, 1));
-        tumble_step(w);
+        tumble_body_force(w, b, tumble_v(0, 0, 0), tumble_v(0, 0, 1));
+        tumble_world_step(w);
     }
-    near_vec3(tumble_spin(w, b), 0, 0, 3, 1e-3);
-    tumble_free(w);
+    near_vec3(tumble_body_spin(w, b), 0, 0, 3, 1e-3);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -197,18 +198,18 @@ START_TEST(a_sleeper_that_is_pushed_wakes_and_goes)
     tumble_world *w = with_floor();
     tumble_body b = add_box(w, 0, 0.5, 0);
     run(w, 3);
-    ck_assert(!tumble_is_awake(w, b));
-    tumble_push(w, b, tumble_v(8, 0, 0), tumble_position(w, b));
-    ck_assert(tumble_is_awake(w, b));
+    ck_assert(!tumble_body_is_awake(w, b));
+    tumble_body_push(w, b, tumble_v(8, 0, 0), tumble_body_position(w, b));
+    ck_assert(tumble_body_is_awake(w, b));
     run(w, 3);
     // Friction of 0.5 stops 4 m/s after v^2 / (2 mu g).
-    near(tumble_position(w, b).x, 16 / (2 * 0.5 * 9.81), 0.1);
-    ck_assert(!tumble_is_awake(w, b));
-    ck_assert(tumble_wake(w, b));
-    ck_assert(tumble_is_awake(w, b));
-    ck_assert(tumble_sleep(w, b));
-    ck_assert(!tumble_is_awake(w, b));
-    tumble_free(w);
+    near(tumble_body_position(w, b).x, 16 / (2 * 0.5 * 9.81), 0.1);
+    ck_assert(!tumble_body_is_awake(w, b));
+    ck_assert(tumble_body_wake(w, b));
+    ck_assert(tumble_body_is_awake(w, b));
+    ck_assert(tumble_body_sleep(w, b));
+    ck_assert(!tumble_body_is_awake(w, b));
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -216,21 +217,22 @@ START_TEST(a_pose_comes_back_as_it_was_set)
 {
     tumble_world *w = weightless();
     tumble_body b = add_box(w, 0, 0, 0);
-    tumble_pose p = { { 3, -2, 7 }, tumble_turn(tumble_v(1, 2, -1), 2.5) };
-    ck_assert(tumble_set_pose(w, b, p));
-    ck_assert(tumble_set_velocity(w, b, tumble_v(1, 2, 3), tumble_v(0, 1, 0)));
-    tumble_pose q = tumble_get_pose(w, b);
+    tumble_pose p = { { 3, -2, 7 }, tumble_quat_turn(tumble_v(1, 2, -1), 2.5) };
+    ck_assert(tumble_body_set_pose(w, b, p));
+    ck_assert(tumble_body_set_velocity(w, b, tumble_v(1, 2, 3),
+                                       tumble_v(0, 1, 0)));
+    tumble_pose q = tumble_body_pose(w, b);
     near_vec3(q.position, 3, -2, 7, 1e-12);
     double same = p.rotation.x * q.rotation.x + p.rotation.y * q.rotation.y
                 + p.rotation.z * q.rotation.z + p.rotation.w * q.rotation.w;
     near(fabs(same), 1, 1e-12);
-    near_vec3(tumble_velocity(w, b), 1, 2, 3, 1e-9);
-    near_vec3(tumble_spin(w, b), 0, 1, 0, 1e-9);
+    near_vec3(tumble_body_velocity(w, b), 1, 2, 3, 1e-9);
+    near_vec3(tumble_body_spin(w, b), 0, 1, 0, 1e-9);
     p.position.x = (double)NAN;
-    ck_assert(!tumble_set_pose(w, b, p));
+    ck_assert(!tumble_body_set_pose(w, b, p));
     expect_failure(w, "finite");
-    near_vec3(tumble_position(w, b), 3, -2, 7, 1e-12);
-    tumble_free(w);
+    near_vec3(tumble_body_position(w, b), 3, -2, 7, 1e-12);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -239,50 +241,51 @@ START_TEST(a_matrix_is_the_rotation_that_made_it)
 {
     for (int k = 0; k < 64; k++) {
         tumble_vec3 axis = tumble_v(k % 4 - 1.5, k / 4 % 4 - 1.5, k / 16 - 1);
-        tumble_quat q = tumble_turn(axis, 0.1 * k - 3.1);
+        tumble_quat q = tumble_quat_turn(axis, 0.1 * k - 3.1);
         double m[9], back[9];
-        tumble_matrix(q, m);
-        tumble_matrix(tumble_from_matrix(m), back);
+        tumble_quat_matrix(q, m);
+        tumble_quat_matrix(tumble_quat_from_matrix(m), back);
         for (int i = 0; i < 9; i++) near(back[i], m[i], 1e-15);
     }
     const double quarter[9] = { 0, -1, 0, 1, 0, 0, 0, 0, 1 };   // about z
-    near(tumble_from_matrix(quarter).z, sqrt(0.5), 1e-15);
+    near(tumble_quat_from_matrix(quarter).z, sqrt(0.5), 1e-15);
 }
 END_TEST
 
 START_TEST(a_kinematic_body_carries_what_lies_on_it)
 {
-    tumble_world *w = tumble_make(NULL);
-    tumble_body_options o = tumble_at(0, 0, 0);
+    tumble_world *w = tumble_world_make(NULL);
+    tumble_body_options o = tumble_body_at(0, 0, 0);
     o.kind = TUMBLE_KINEMATIC;
     o.velocity = tumble_v(1, 0, 0);
-    tumble_body lift = tumble_add(w, tumble_box(w, tumble_v(4, 1, 4), 1), o);
+    tumble_body lift =
+        tumble_body_add(w, tumble_shape_box(w, tumble_v(4, 1, 4), 1), o);
     tumble_body load = add_box(w, 0, 1, 0);
     run(w, 3);
-    near_vec3(tumble_position(w, lift), 3, 0, 0, 1e-9);
-    near(tumble_velocity(w, load).x, 1, 1e-3);
-    near(tumble_position(w, load).y, 1, 2e-3);
-    ck_assert(!tumble_push(w, lift, tumble_v(1, 0, 0), tumble_v(0, 0, 0)));
+    near_vec3(tumble_body_position(w, lift), 3, 0, 0, 1e-9);
+    near(tumble_body_velocity(w, load).x, 1, 1e-3);
+    near(tumble_body_position(w, load).y, 1, 2e-3);
+    ck_assert(!tumble_body_push(w, lift, tumble_v(1, 0, 0), tumble_v(0, 0, 0)));
     expect_failure(w, "kinematic");
-    tumble_free(w);
+    tumble_world_free(w);
 }
 END_TEST
 
 START_TEST(bodies_whose_masks_do_not_meet_pass)
 {
     tumble_world *w = weightless();
-    tumble_shape s = tumble_box(w, tumble_v(1, 1, 1), 1);
-    tumble_body_options o = tumble_at(-3, 0, 0);
+    tumble_shape s = tumble_shape_box(w, tumble_v(1, 1, 1), 1);
+    tumble_body_options o = tumble_body_at(-3, 0, 0);
     o.velocity = tumble_v(3, 0, 0);
     o.group = 2;
-    tumble_body ghost = tumble_add(w, s, o);
-    o = tumble_at(0, 0, 0);
+    tumble_body ghost = tumble_body_add(w, s, o);
+    o = tumble_body_at(0, 0, 0);
     o.mask = ~2u;
-    tumble_body box = tumble_add(w, s, o);
+    tumble_body box = tumble_body_add(w, s, o);
     run(w, 2);
-    near_vec3(tumble_position(w, ghost), 3, 0, 0, 1e-9);
-    near_vec3(tumble_position(w, box), 0, 0, 0, 1e-12);
-    tumble_free(w);
+    near_vec3(tumble_body_position(w, ghost), 3, 0, 0, 1e-9);
+    near_vec3(tumble_body_position(w, box), 0, 0, 0, 1e-12);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -291,30 +294,30 @@ START_TEST(user_data_is_the_programs_own)
     int mine = 7;
     tumble_world *w = weightless();
     tumble_body b = add_box(w, 0, 0, 0);
-    ck_assert_ptr_null(tumble_user(w, b));
-    tumble_set_user(w, b, &mine);
-    ck_assert_ptr_eq(tumble_user(w, b), &mine);
-    near(tumble_mass(w, b), 2, 1e-12);
-    tumble_free(w);
+    ck_assert_ptr_null(tumble_body_user(w, b));
+    tumble_body_set_user(w, b, &mine);
+    ck_assert_ptr_eq(tumble_body_user(w, b), &mine);
+    near(tumble_body_mass(w, b), 2, 1e-12);
+    tumble_world_free(w);
 }
 END_TEST
 
 START_TEST(a_box_on_a_hinge_swings_as_long_as_its_inertia_says)
 {
-    tumble_world *w = tumble_make(NULL);
+    tumble_world *w = tumble_world_make(NULL);
     tumble_body b = add_box(w, 0.05, -1, 0);
-    tumble_joint j = tumble_hinge(w, tumble_ground(), b, tumble_v(0, 0, 0),
-                                  tumble_v(0, 0, 1));
+    tumble_joint j = tumble_joint_hinge(w, tumble_body_ground(), b,
+                                        tumble_v(0, 0, 0), tumble_v(0, 0, 1));
     double length = sqrt(1 + 0.05 * 0.05), inertia = 2.0 / 6 + 2 * length * length;
     double period = 2 * acos(-1) * sqrt(inertia / (2 * 9.81 * length));
     double angle = atan2(0.05, 1);
     period *= 1 + angle * angle / 16;
-    double last = 1, before = tumble_position(w, b).x;
+    double last = 1, before = tumble_body_position(w, b).x;
     int crossings = 0;
     double first = 0, at = 0;
     for (int k = 1; k < 1200 && crossings < 9; k++) {
-        tumble_step(w);
-        double x = tumble_position(w, b).x;
+        tumble_world_step(w);
+        double x = tumble_body_position(w, b).x;
         if (before > 0 && x <= 0) {
             at = (k - 1 + before / (before - x)) / 60;
             if (crossings++ == 0) first = at;
@@ -324,29 +327,31 @@ START_TEST(a_box_on_a_hinge_swings_as_long_as_its_inertia_says)
     (void)last;
     near((at - first) / 8, period, 1e-3 * period);
     ck_assert_double_lt(tumble_joint_gap(w, j), 1e-4);
-    ck_assert(tumble_is_joined(w, j));
+    ck_assert(tumble_joint_exists(w, j));
     expect_fine(w);
-    tumble_free(w);
+    tumble_world_free(w);
 }
 END_TEST
 
 START_TEST(a_joint_goes_with_its_body_and_breaks_under_its_load)
 {
-    tumble_world *w = tumble_make(NULL);
+    tumble_world *w = tumble_world_make(NULL);
     tumble_body b = add_box(w, 0, 0, 0), c = add_box(w, 3, 0, 0);
-    tumble_joint j = tumble_ball(w, tumble_ground(), b, tumble_v(0, 0.5, 0));
-    tumble_joint k = tumble_ball(w, tumble_ground(), c, tumble_v(3, 0.5, 0));
+    tumble_joint j = tumble_joint_ball(w, tumble_body_ground(), b,
+                                       tumble_v(0, 0.5, 0));
+    tumble_joint k = tumble_joint_ball(w, tumble_body_ground(), c,
+                                       tumble_v(3, 0.5, 0));
     run(w, 2);
     near(tumble_joint_force(w, j), 2 * 9.81, 0.01);
-    tumble_remove(w, b);
-    ck_assert(!tumble_is_joined(w, j));
-    ck_assert(!tumble_unjoin(w, j));
+    tumble_body_remove(w, b);
+    ck_assert(!tumble_joint_exists(w, j));
+    ck_assert(!tumble_joint_remove(w, j));
     expect_failure(w, "joint 0 is gone");
-    ck_assert(tumble_set_strength(w, k, 19));
+    ck_assert(tumble_joint_set_strength(w, k, 19));
     run(w, 1);
-    ck_assert(!tumble_is_joined(w, k));
-    ck_assert_double_lt(tumble_position(w, c).y, -1);
-    tumble_free(w);
+    ck_assert(!tumble_joint_exists(w, k));
+    ck_assert_double_lt(tumble_body_position(w, c).y, -1);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -356,38 +361,39 @@ END_TEST
 // point that meets what is gone.
 START_TEST(what_lies_on_a_plane_that_goes_falls)
 {
-    tumble_world *w = tumble_make(NULL);
+    tumble_world *w = tumble_world_make(NULL);
     tumble_vec3 up = tumble_v(0, 1, 0);
     tumble_hit h;
-    tumble_plane floor = tumble_add_plane(w, up, 0, 0);
-    tumble_plane wall = tumble_add_plane(w, tumble_v(1, 0, 0), -9, -1);
+    tumble_plane floor = tumble_plane_add(w, up, 0, 0);
+    tumble_plane wall = tumble_plane_add(w, tumble_v(1, 0, 0), -9, -1);
     tumble_body b = add_box(w, 0, 0.5, 0);
     run(w, 2);
-    ck_assert(!tumble_is_awake(w, b));
-    ck_assert(tumble_remove_plane(w, floor));
-    ck_assert(tumble_is_awake(w, b));
-    ck_assert(!tumble_remove_plane(w, floor));
+    ck_assert(!tumble_body_is_awake(w, b));
+    ck_assert(tumble_plane_remove(w, floor));
+    ck_assert(tumble_body_is_awake(w, b));
+    ck_assert(!tumble_plane_remove(w, floor));
     expect_failure(w, "plane 0 is gone");
-    ck_assert(!tumble_ray(w, tumble_v(3, 1, 0), tumble_v(3, -9, 0), ~0u, &h));
-    ck_assert(tumble_nearest(w, tumble_v(9, 0, 0), HUGE_VAL, ~0u, &h));
+    ck_assert(!tumble_world_ray(w, tumble_v(3, 1, 0), tumble_v(3, -9, 0), ~0u,
+                                &h));
+    ck_assert(tumble_world_nearest(w, tumble_v(9, 0, 0), HUGE_VAL, ~0u, &h));
     near(h.fraction, 8.5, 1e-9);
     run(w, 0.5);
-    near(tumble_position(w, b).y, 0.5 - 9.81 / 8, 0.03);
+    near(tumble_body_position(w, b).y, 0.5 - 9.81 / 8, 0.03);
     // In its place comes another, at once, under a box that slides.
-    tumble_plane lower = tumble_add_plane(w, up, -4, -1);
+    tumble_plane lower = tumble_plane_add(w, up, -4, -1);
     ck_assert_uint_eq(lower.place, floor.place);
     ck_assert_uint_ne(lower.generation, floor.generation);
     run(w, 2);
-    near(tumble_position(w, b).y, -3.5, 0.005);
-    tumble_push(w, b, tumble_v(4, 0, 0), tumble_position(w, b));
-    ck_assert(tumble_remove_plane(w, lower));
-    lower = tumble_add_plane(w, up, -4, 0);
+    near(tumble_body_position(w, b).y, -3.5, 0.005);
+    tumble_body_push(w, b, tumble_v(4, 0, 0), tumble_body_position(w, b));
+    ck_assert(tumble_plane_remove(w, lower));
+    lower = tumble_plane_add(w, up, -4, 0);
     run(w, 1);
-    near(tumble_velocity(w, b).x, 2, 1e-3);
-    ck_assert(tumble_remove_plane(w, lower) && tumble_remove_plane(w, wall));
-    ck_assert(!tumble_nearest(w, tumble_v(9, 9, 9), 1, ~0u, &h));
+    near(tumble_body_velocity(w, b).x, 2, 1e-3);
+    ck_assert(tumble_plane_remove(w, lower) && tumble_plane_remove(w, wall));
+    ck_assert(!tumble_world_nearest(w, tumble_v(9, 9, 9), 1, ~0u, &h));
     expect_fine(w);
-    tumble_free(w);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -396,17 +402,17 @@ END_TEST
 START_TEST(a_plane_in_the_place_of_another_has_contacts_of_its_own)
 {
     for (int k = 0; k < 2; k++) {
-        tumble_world *w = tumble_make(NULL);
+        tumble_world *w = tumble_world_make(NULL);
         tumble_vec3 slope = tumble_v(0.1, 1, 0);
         tumble_plane p = { 0, 0 };
-        if (k == 1) p = tumble_add_plane(w, tumble_v(0, 1, 0), 0, -1);
+        if (k == 1) p = tumble_plane_add(w, tumble_v(0, 1, 0), 0, -1);
         tumble_body b = add_box(w, 0, 0.5, 0);
         if (k == 1) run(w, 2);
-        if (k == 1) ck_assert(tumble_remove_plane(w, p));
-        tumble_add_plane(w, slope, 0, 0);
+        if (k == 1) ck_assert(tumble_plane_remove(w, p));
+        tumble_plane_add(w, slope, 0, 0);
         run(w, 1);
-        near(tumble_velocity(w, b).x, 9.81 * 0.1 / 1.01, 0.2);
-        tumble_free(w);
+        near(tumble_body_velocity(w, b).x, 9.81 * 0.1 / 1.01, 0.2);
+        tumble_world_free(w);
     }
 }
 END_TEST
@@ -414,49 +420,52 @@ END_TEST
 START_TEST(a_joint_that_joins_nothing_is_refused)
 {
     tumble_world *w = with_floor();
-    tumble_body b = add_box(w, 0, 1, 0), ground = tumble_ground();
+    tumble_body b = add_box(w, 0, 1, 0), ground = tumble_body_ground();
     tumble_vec3 at = tumble_v(0, 1, 0);
-    ck_assert_uint_eq(tumble_ball(w, b, b, at).generation, 0);
+    ck_assert_uint_eq(tumble_joint_ball(w, b, b, at).generation, 0);
     expect_failure(w, "two bodies");
-    ck_assert_uint_eq(tumble_ball(w, ground, ground, at).generation, 0);
+    ck_assert_uint_eq(tumble_joint_ball(w, ground, ground, at).generation, 0);
     expect_failure(w, "two bodies");
-    tumble_hinge(w, ground, b, at, tumble_v(0, 0, 0));
+    tumble_joint_hinge(w, ground, b, at, tumble_v(0, 0, 0));
     expect_failure(w, "axis");
-    tumble_distance(w, ground, at, b, at, 2, 1);
+    tumble_joint_distance(w, ground, at, b, at, 2, 1);
     expect_failure(w, "2");
-    ck_assert(!tumble_set_strength(w, tumble_ball(w, ground, b, at), -1));
+    ck_assert(!tumble_joint_set_strength(w, tumble_joint_ball(w, ground, b, at),
+                                         -1));
     expect_failure(w, "-1 N");
-    tumble_free(w);
+    tumble_world_free(w);
 }
 END_TEST
 
 START_TEST(a_ray_meets_the_nearest_and_a_sweep_the_first)
 {
     tumble_world *w = with_floor();
-    tumble_body_options o = tumble_at(0, 2, 0);
+    tumble_body_options o = tumble_body_at(0, 2, 0);
     o.kind = TUMBLE_STATIC;
     o.group = 4;
-    tumble_shape s = tumble_box(w, tumble_v(1, 1, 1), 1);
-    tumble_body b = tumble_add(w, s, o);
+    tumble_shape s = tumble_shape_box(w, tumble_v(1, 1, 1), 1);
+    tumble_body b = tumble_body_add(w, s, o);
     tumble_hit h;
-    ck_assert(tumble_ray(w, tumble_v(0, 5, 0), tumble_v(0, -5, 0), ~0u, &h));
+    ck_assert(tumble_world_ray(w, tumble_v(0, 5, 0), tumble_v(0, -5, 0), ~0u,
+                               &h));
     ck_assert_uint_eq(h.body.place, b.place);
     near(h.fraction, 0.25, 1e-9);
     near_vec3(h.normal, 0, 1, 0, 1e-9);
-    ck_assert(tumble_ray(w, tumble_v(0, 5, 0), tumble_v(0, -5, 0), ~4u, &h));
-    ck_assert_uint_eq(h.body.place, tumble_ground().place);
+    ck_assert(tumble_world_ray(w, tumble_v(0, 5, 0), tumble_v(0, -5, 0), ~4u,
+                               &h));
+    ck_assert_uint_eq(h.body.place, tumble_body_ground().place);
     near(h.fraction, 0.5, 1e-9);
     tumble_pose at = { { 0.9, 5, 0 }, { 0, 0, 0, 0 } };
-    ck_assert(tumble_sweep(w, s, at, tumble_v(0, -4, 0), ~0u, &h));
+    ck_assert(tumble_world_sweep(w, s, at, tumble_v(0, -4, 0), ~0u, &h));
     near(h.fraction, 0.5, 1e-9);
     at.position.y = 2.9;
     tumble_body met[2];
-    ck_assert_int_eq(tumble_overlap(w, s, at, ~0u, met, 2), 1);
+    ck_assert_int_eq(tumble_world_overlap(w, s, at, ~0u, met, 2), 1);
     ck_assert_uint_eq(met[0].place, b.place);
-    ck_assert(tumble_nearest(w, tumble_v(3, 2, 0), 5, ~0u, &h));
+    ck_assert(tumble_world_nearest(w, tumble_v(3, 2, 0), 5, ~0u, &h));
     near(h.fraction, 2, 1e-9);
     expect_fine(w);
-    tumble_free(w);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -466,27 +475,27 @@ START_TEST(contacts_carry_the_weight_and_events_come_once)
     tumble_body b = add_box(w, 0, 0.6, 0);
     tumble_event e[4];
     tumble_contact c[2];
-    ck_assert_int_eq(tumble_events(w, e, 4), 0);
+    ck_assert_int_eq(tumble_world_events(w, e, 4), 0);
     run(w, 1);
-    ck_assert_int_eq(tumble_events(w, e, 4), 1);
+    ck_assert_int_eq(tumble_world_events(w, e, 4), 1);
     ck_assert(e[0].begins);
-    ck_assert_int_eq(tumble_events(w, e, 4), 0);
-    ck_assert_int_eq(tumble_contacts(w, c, 2), 1);
+    ck_assert_int_eq(tumble_world_events(w, e, 4), 0);
+    ck_assert_int_eq(tumble_world_contacts(w, c, 2), 1);
     ck_assert_uint_eq(c[0].a.place, b.place);
-    ck_assert_uint_eq(c[0].b.place, tumble_ground().place);
+    ck_assert_uint_eq(c[0].b.place, tumble_body_ground().place);
     near_vec3(c[0].normal, 0, 1, 0, 1e-9);
     double sum = 0;
     for (int k = 0; k < c[0].points; k++) sum += c[0].force[k];
     near(sum, 2 * 9.81, 0.02);
     run(w, 3);
-    ck_assert(!tumble_is_awake(w, b));
-    ck_assert_int_eq(tumble_events(w, e, 4), 0);
-    ck_assert_int_eq(tumble_contacts(w, c, 2), 1);
-    tumble_remove(w, b);
-    tumble_step(w);
-    ck_assert_int_eq(tumble_events(w, e, 4), 1);
+    ck_assert(!tumble_body_is_awake(w, b));
+    ck_assert_int_eq(tumble_world_events(w, e, 4), 0);
+    ck_assert_int_eq(tumble_world_contacts(w, c, 2), 1);
+    tumble_body_remove(w, b);
+    tumble_world_step(w);
+    ck_assert_int_eq(tumble_world_events(w, e, 4), 1);
     ck_assert(!e[0].begins);
-    tumble_free(w);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -497,65 +506,66 @@ START_TEST(what_sleeps_beside_what_moves_still_touches)
     tumble_event e[4];
     tumble_body sleeper = add_box(w, 0, 0.5, 0), other = add_box(w, 9, 9, 0);
     for (int k = 0; k < 180; k++) {
-        tumble_push(w, other, tumble_v(0, 2 * 9.81 / 60, 0),
-                    tumble_position(w, other));
-        tumble_step(w);
-        int n = tumble_events(w, e, 4);
+        tumble_body_push(w, other, tumble_v(0, 2 * 9.81 / 60, 0),
+                         tumble_body_position(w, other));
+        tumble_world_step(w);
+        int n = tumble_world_events(w, e, 4);
         ck_assert_int_eq(n, k == 0);
     }
-    ck_assert(!tumble_is_awake(w, sleeper));
-    ck_assert(tumble_is_awake(w, other));
-    ck_assert_int_eq(tumble_contacts(w, NULL, 0), 1);
-    tumble_free(w);
+    ck_assert(!tumble_body_is_awake(w, sleeper));
+    ck_assert(tumble_body_is_awake(w, other));
+    ck_assert_int_eq(tumble_world_contacts(w, NULL, 0), 1);
+    tumble_world_free(w);
 }
 END_TEST
 
 START_TEST(pieces_are_one_body)
 {
-    tumble_world *w = tumble_make(NULL);
-    tumble_shape s = tumble_box(w, tumble_v(1, 1, 1), 1);
+    tumble_world *w = tumble_world_make(NULL);
+    tumble_shape s = tumble_shape_box(w, tumble_v(1, 1, 1), 1);
     tumble_shape piece[2] = { s, s };
     tumble_pose pose[2] = { { { -1, 0, 0 }, { 0, 0, 0, 1 } },
                             { { 1, 0, 0 }, { 0, 0, 0, 1 } } };
-    tumble_body stage = tumble_add_pieces(w, piece, pose, 2,
-                                          tumble_at(0, 0, 0));
+    tumble_body stage = tumble_body_add_pieces(w, piece, pose, 2,
+                                               tumble_body_at(0, 0, 0));
     add_box(w, 1, 1.1, 0);
     add_box(w, -1, 1.1, 0);
     run(w, 1);
     tumble_event e[4];
-    ck_assert_int_eq(tumble_events(w, e, 4), 2);
-    ck_assert_int_eq(tumble_bodies(w, NULL, 0), 3);
-    ck_assert_int_eq(tumble_vertices(w, stage, NULL, 0), 16);
-    ck_assert(tumble_remove(w, stage));
+    ck_assert_int_eq(tumble_world_events(w, e, 4), 2);
+    ck_assert_int_eq(tumble_world_bodies(w, NULL, 0), 3);
+    ck_assert_int_eq(tumble_body_vertices(w, stage, NULL, 0), 16);
+    ck_assert(tumble_body_remove(w, stage));
     run(w, 0.5);
-    ck_assert_int_eq(tumble_contacts(w, NULL, 0), 0);
+    ck_assert_int_eq(tumble_world_contacts(w, NULL, 0), 0);
     piece[1].generation = 99;
-    tumble_body none = tumble_add_pieces(w, piece, pose, 2, tumble_at(0, 0, 0));
+    tumble_body none = tumble_body_add_pieces(w, piece, pose, 2,
+                                              tumble_body_at(0, 0, 0));
     ck_assert_uint_eq(none.generation, 0);
     expect_failure(w, "shape");
-    ck_assert_int_eq(tumble_bodies(w, NULL, 0), 2);
-    tumble_free(w);
+    ck_assert_int_eq(tumble_world_bodies(w, NULL, 0), 2);
+    tumble_world_free(w);
 }
 END_TEST
 
 START_TEST(a_rope_hangs_from_its_pin_and_carries)
 {
-    tumble_world *w = tumble_make(NULL);
-    tumble_body rope = tumble_add(w, tumble_rope(w, 10, 2, 0.2),
-                                  tumble_at(0, 0, 0));
-    tumble_vec3 nail = tumble_vertex(w, rope, 0);
-    ck_assert(tumble_pin(w, rope, 0));
-    ck_assert(tumble_set_damping(w, rope, 2, 0));
+    tumble_world *w = tumble_world_make(NULL);
+    tumble_body rope = tumble_body_add(w, tumble_shape_rope(w, 10, 2, 0.2),
+                                       tumble_body_at(0, 0, 0));
+    tumble_vec3 nail = tumble_body_vertex(w, rope, 0);
+    ck_assert(tumble_body_pin(w, rope, 0));
+    ck_assert(tumble_body_set_damping(w, rope, 2, 0));
     run(w, 10);
-    near_vec3(tumble_vertex(w, rope, 0), nail.x, nail.y, nail.z, 0);
-    near(tumble_vertex(w, rope, 10).y, nail.y - 2, 0.02);
-    ck_assert(tumble_unpin(w, rope, 0));
-    ck_assert(tumble_set_damping(w, rope, 0, 0));
+    near_vec3(tumble_body_vertex(w, rope, 0), nail.x, nail.y, nail.z, 0);
+    near(tumble_body_vertex(w, rope, 10).y, nail.y - 2, 0.02);
+    ck_assert(tumble_body_unpin(w, rope, 0));
+    ck_assert(tumble_body_set_damping(w, rope, 0, 0));
     run(w, 1);
-    ck_assert_double_lt(tumble_vertex(w, rope, 0).y, nail.y - 4);
-    ck_assert(!tumble_pin(w, rope, 11));
+    ck_assert_double_lt(tumble_body_vertex(w, rope, 0).y, nail.y - 4);
+    ck_assert(!tumble_body_pin(w, rope, 11));
     expect_failure(w, "vertex 11");
-    tumble_free(w);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -582,14 +592,15 @@ START_TEST(everything_is_drawn)
     count c = { 0, 0, 0 };
     tumble_pen pen = { on_triangle, on_line, on_point, &c };
     add_box(w, 0, 0.5, 0);
-    tumble_add(w, tumble_rope(w, 5, 1, 1), tumble_at(5, 5, 5));
-    tumble_add(w, tumble_cloth(w, 3, 3, 1, 1, 1), tumble_at(-5, 5, 5));
+    tumble_body_add(w, tumble_shape_rope(w, 5, 1, 1), tumble_body_at(5, 5, 5));
+    tumble_body_add(w, tumble_shape_cloth(w, 3, 3, 1, 1, 1),
+                    tumble_body_at(-5, 5, 5));
     run(w, 0.5);
-    tumble_draw(w, &pen);
+    tumble_world_draw(w, &pen);
     ck_assert_int_eq(c.triangles, 12 + 8);
     ck_assert_int_eq(c.lines, 5);
     ck_assert_int_eq(c.points, 4);
-    tumble_free(w);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -600,31 +611,33 @@ START_TEST(every_shape_falls_and_lies_as_high_as_it_is)
     for (int k = 0; k < 8; k++)
         point[k] = tumble_v(k & 1 ? 0.2 : -0.2, k & 2 ? 0.1 : -0.1,
                             k & 4 ? 0.3 : -0.3);
-    tumble_shape s[] = { tumble_sphere(w, 0.3, 1), tumble_hull(w, point, 8, 1),
-                         tumble_capsule(w, 1, 0.2, 1),
-                         tumble_obj(w, "tests/data/cube.obj", 0.5, 1) };
+    tumble_shape s[] = { tumble_shape_sphere(w, 0.3, 1),
+                         tumble_shape_hull(w, point, 8, 1),
+                         tumble_shape_capsule(w, 1, 0.2, 1),
+                         tumble_shape_obj(w, "tests/data/cube.obj", 0.5, 1) };
     const double height[] = { 0.3, 0.1, 0.2, 0.5 / sqrt(3) };
     tumble_body b[4];
     for (int k = 0; k < 4; k++) {
-        tumble_body_options o = tumble_at(3 * k, 0.8, 0);
-        if (k == 2) o.pose.rotation = tumble_turn(tumble_v(0, 0, 1), acos(0));
-        b[k] = tumble_add(w, s[k], o);
+        tumble_body_options o = tumble_body_at(3 * k, 0.8, 0);
+        if (k == 2)
+            o.pose.rotation = tumble_quat_turn(tumble_v(0, 0, 1), acos(0));
+        b[k] = tumble_body_add(w, s[k], o);
     }
     run(w, 6);
     for (int k = 0; k < 4; k++) {
-        near(tumble_position(w, b[k]).y, height[k], 2e-3);
-        near(tumble_mass(w, b[k]), 1, 1e-12);
+        near(tumble_body_position(w, b[k]).y, height[k], 2e-3);
+        near(tumble_body_mass(w, b[k]), 1, 1e-12);
         int n;
-        ck_assert_ptr_nonnull(tumble_triangles(w, b[k], &n));
+        ck_assert_ptr_nonnull(tumble_body_triangles(w, b[k], &n));
         ck_assert_int_ge(n, 12);
     }
     expect_fine(w);
-    near(tumble_measure(w).penetration, 0, 2e-3);
-    ck_assert(tumble_set_gravity(w, tumble_v(0, 9.81, 0)));
+    near(tumble_world_measure(w).penetration, 0, 2e-3);
+    ck_assert(tumble_world_set_gravity(w, tumble_v(0, 9.81, 0)));
     run(w, 1);
-    near(tumble_position(w, b[0]).y, 0.3 + 9.81 / 2, 0.1);
-    ck_assert(tumble_hash(w) != 0);
-    tumble_free(w);
+    near(tumble_body_position(w, b[0]).y, 0.3 + 9.81 / 2, 0.1);
+    ck_assert(tumble_world_hash(w) != 0);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -633,60 +646,64 @@ START_TEST(joints_hold_what_they_say)
     tumble_world *w = weightless();
     tumble_body a = add_box(w, 0, 0, 0), b = add_box(w, 1.2, 0, 0),
                 c = add_box(w, 5, 0, 0);
-    tumble_joint fixed = tumble_fix(w, a, b, tumble_v(0.6, 0, 0));
-    tumble_joint apart = tumble_distance(w, b, tumble_v(1.7, 0, 0), c,
-                                         tumble_v(4.5, 0, 0), 1, 3);
-    tumble_set_velocity(w, c, tumble_v(4, 0, 0), tumble_v(0, 0, 0));
+    tumble_joint fixed = tumble_joint_fixed(w, a, b, tumble_v(0.6, 0, 0));
+    tumble_joint apart = tumble_joint_distance(w, b, tumble_v(1.7, 0, 0), c,
+                                               tumble_v(4.5, 0, 0), 1, 3);
+    tumble_body_set_velocity(w, c, tumble_v(4, 0, 0), tumble_v(0, 0, 0));
     run(w, 2);
-    near(tumble_position(w, b).x - tumble_position(w, a).x, 1.2, 1e-4);
+    near(tumble_body_position(w, b).x - tumble_body_position(w, a).x, 1.2,
+         1e-4);
     ck_assert_double_lt(tumble_joint_gap(w, fixed), 1e-4);
-    ck_assert_double_lt(tumble_position(w, c).x - tumble_position(w, b).x,
-                        4.01);
+    ck_assert_double_lt(tumble_body_position(w, c).x
+                        - tumble_body_position(w, b).x, 4.01);
     // 2 kg at 4 m/s are shared by three bodies in the end.
-    near(tumble_measure(w).momentum.x, 8, 1e-9);
-    ck_assert(tumble_unjoin(w, apart));
-    ck_assert(!tumble_is_joined(w, apart));
-    ck_assert(!tumble_set_limits(w, fixed, -1, 1));
+    near(tumble_world_measure(w).momentum.x, 8, 1e-9);
+    ck_assert(tumble_joint_remove(w, apart));
+    ck_assert(!tumble_joint_exists(w, apart));
+    ck_assert(!tumble_joint_set_limits(w, fixed, -1, 1));
     expect_failure(w, "no hinge");
     tumble_body d = add_box(w, 0, 5, 0);
-    tumble_joint hinge = tumble_hinge(w, tumble_ground(), d,
-                                      tumble_v(0, 5.5, 0), tumble_v(0, 0, 1));
-    ck_assert(tumble_set_limits(w, hinge, -0.2, 0.3));
-    tumble_set_velocity(w, d, tumble_v(1, 0, 0), tumble_v(0, 0, 2));
+    tumble_joint hinge = tumble_joint_hinge(w, tumble_body_ground(), d,
+                                            tumble_v(0, 5.5, 0),
+                                            tumble_v(0, 0, 1));
+    ck_assert(tumble_joint_set_limits(w, hinge, -0.2, 0.3));
+    tumble_body_set_velocity(w, d, tumble_v(1, 0, 0), tumble_v(0, 0, 2));
     run(w, 1);
-    near(tumble_hinge_angle(w, hinge), 0.3, 0.02);
+    near(tumble_joint_angle(w, hinge), 0.3, 0.02);
     // Let go, it turns on past where it was stopped.
-    ck_assert(tumble_set_limits(w, hinge, -HUGE_VAL, 3.1416));
-    tumble_set_velocity(w, d, tumble_v(1, 0, 0), tumble_v(0, 0, 2));
+    ck_assert(tumble_joint_set_limits(w, hinge, -HUGE_VAL, 3.1416));
+    tumble_body_set_velocity(w, d, tumble_v(1, 0, 0), tumble_v(0, 0, 2));
     run(w, 0.5);
-    near(tumble_hinge_angle(w, hinge), 1.3, 0.05);
-    ck_assert(!tumble_set_limits(w, hinge, 4, HUGE_VAL));
+    near(tumble_joint_angle(w, hinge), 1.3, 0.05);
+    ck_assert(!tumble_joint_set_limits(w, hinge, 4, HUGE_VAL));
     expect_failure(w, "no limits");
     expect_fine(w);
-    tumble_free(w);
+    tumble_world_free(w);
 }
 END_TEST
 
 START_TEST(a_box_hangs_on_a_rope)
 {
-    tumble_world *w = tumble_make(NULL);
-    tumble_body rope = tumble_add(w, tumble_rope(w, 20, 2, 0.2),
-                                  tumble_at(0, 0, 0));
-    tumble_body_options o = tumble_at(1.6, 0, 0);
+    tumble_world *w = tumble_world_make(NULL);
+    tumble_body rope = tumble_body_add(w, tumble_shape_rope(w, 20, 2, 0.2),
+                                       tumble_body_at(0, 0, 0));
+    tumble_body_options o = tumble_body_at(1.6, 0, 0);
     o.damping = 1;
-    tumble_body box = tumble_add(w, tumble_box(w, tumble_v(1, 1, 1), 5), o);
-    tumble_pin(w, rope, 0);
-    tumble_joint j = tumble_hang(w, rope, 20, box);
+    tumble_body box =
+        tumble_body_add(w, tumble_shape_box(w, tumble_v(1, 1, 1), 5), o);
+    tumble_body_pin(w, rope, 0);
+    tumble_joint j = tumble_joint_hang(w, rope, 20, box);
     ck_assert_uint_ne(j.generation, 0);
-    ck_assert(tumble_set_damping(w, rope, 1, 0));
+    ck_assert(tumble_body_set_damping(w, rope, 1, 0));
     run(w, 20);
     near(tumble_joint_force(w, j), 5 * 9.81, 1);
     ck_assert_double_lt(tumble_joint_gap(w, j), 1e-3);
-    ck_assert(tumble_vertex(w, rope, 20).y < -1.9);
-    ck_assert_uint_eq(tumble_ball(w, rope, box, tumble_v(0, 0, 0)).generation,
+    ck_assert(tumble_body_vertex(w, rope, 20).y < -1.9);
+    ck_assert_uint_eq(tumble_joint_ball(w, rope, box,
+                                        tumble_v(0, 0, 0)).generation,
                       0);
     expect_failure(w, "joints hold rigid bodies");
-    tumble_free(w);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -694,30 +711,32 @@ START_TEST(materials_cloth_and_filters_are_taken)
 {
     tumble_world *w = with_floor();
     tumble_body ice = add_box(w, 0, 0.5, 0), wood = add_box(w, 0, 0.5, 5);
-    ck_assert(tumble_set_material(w, ice, 0, 0));
-    tumble_push(w, ice, tumble_v(4, 0, 0), tumble_position(w, ice));
-    tumble_push(w, wood, tumble_v(4, 0, 0), tumble_position(w, wood));
+    ck_assert(tumble_body_set_material(w, ice, 0, 0));
+    tumble_body_push(w, ice, tumble_v(4, 0, 0), tumble_body_position(w, ice));
+    tumble_body_push(w, wood, tumble_v(4, 0, 0), tumble_body_position(w, wood));
     run(w, 1);
-    near(tumble_position(w, ice).x, 2, 0.02);
-    near(tumble_position(w, wood).x, 4 / (2 * 0.5 * 9.81), 0.05);
-    ck_assert(tumble_set_damping(w, ice, 5, 5));
+    near(tumble_body_position(w, ice).x, 2, 0.02);
+    near(tumble_body_position(w, wood).x, 4 / (2 * 0.5 * 9.81), 0.05);
+    ck_assert(tumble_body_set_damping(w, ice, 5, 5));
     run(w, 4);
-    ck_assert_double_lt(tumble_position(w, ice).x, 2.6);
-    ck_assert(!tumble_set_material(w, ice, 0.5, 2));
-    ck_assert_ptr_nonnull(tumble_failure(w));
-    tumble_forget_failure(w);
-    tumble_body cloth = tumble_add(w, tumble_cloth(w, 5, 5, 1, 1, 0.1),
-                                   tumble_at(9, 3, 0));
-    ck_assert(tumble_set_bending(w, cloth, 1e-3));
-    ck_assert(tumble_set_stretch(w, cloth, 1e-4));
-    ck_assert(!tumble_set_stretch(w, cloth, -1));
-    tumble_forget_failure(w);
-    ck_assert(tumble_push_vertex(w, cloth, 12, tumble_v(0, 0.01, 0)));
-    ck_assert_double_gt(tumble_velocity(w, cloth).y, 0);
-    ck_assert(!tumble_push(w, cloth, tumble_v(1, 0, 0), tumble_v(9, 3, 0)));
+    ck_assert_double_lt(tumble_body_position(w, ice).x, 2.6);
+    ck_assert(!tumble_body_set_material(w, ice, 0.5, 2));
+    ck_assert_ptr_nonnull(tumble_world_failure(w));
+    tumble_world_forget_failure(w);
+    tumble_body cloth = tumble_body_add(w,
+                                        tumble_shape_cloth(w, 5, 5, 1, 1, 0.1),
+                                        tumble_body_at(9, 3, 0));
+    ck_assert(tumble_body_set_bending(w, cloth, 1e-3));
+    ck_assert(tumble_body_set_stretch(w, cloth, 1e-4));
+    ck_assert(!tumble_body_set_stretch(w, cloth, -1));
+    tumble_world_forget_failure(w);
+    ck_assert(tumble_body_push_vertex(w, cloth, 12, tumble_v(0, 0.01, 0)));
+    ck_assert_double_gt(tumble_body_velocity(w, cloth).y, 0);
+    ck_assert(!tumble_body_push(w, cloth, tumble_v(1, 0, 0),
+                                tumble_v(9, 3, 0)));
     expect_failure(w, "vertices");
-    ck_assert(tumble_set_filter(w, ice, 2, 0));
-    tumble_free(w);
+    ck_assert(tumble_body_set_filter(w, ice, 2, 0));
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -726,41 +745,42 @@ START_TEST(nonsense_is_refused_in_a_sentence)
     tumble_world *w = with_floor();
     tumble_body b = add_box(w, 0, 1, 0);
     tumble_hit h;
-    tumble_body_options o = tumble_at(0, 0, 0);
-    tumble_shape s = tumble_box(w, tumble_v(1, 1, 1), 1);
+    tumble_body_options o = tumble_body_at(0, 0, 0);
+    tumble_shape s = tumble_shape_box(w, tumble_v(1, 1, 1), 1);
     o.kind = (tumble_kind)9;
-    ck_assert_uint_eq(tumble_add(w, s, o).generation, 0);
+    ck_assert_uint_eq(tumble_body_add(w, s, o).generation, 0);
     expect_failure(w, "9 is no kind");
-    o = tumble_at(0, 0, 0);
+    o = tumble_body_at(0, 0, 0);
     o.velocity.y = 1e300;
-    ck_assert_uint_eq(tumble_add(w, s, o).generation, 0);
+    ck_assert_uint_eq(tumble_body_add(w, s, o).generation, 0);
     expect_failure(w, "too much");
-    ck_assert(!tumble_push(w, b, tumble_v(1e30, 0, 0), tumble_v(0, 1, 0)));
+    ck_assert(!tumble_body_push(w, b, tumble_v(1e30, 0, 0), tumble_v(0, 1, 0)));
     expect_failure(w, "too much");
-    ck_assert(!tumble_ray(w, tumble_v(0, 5, 0), tumble_v(0, -HUGE_VAL, 0), ~0u,
-                          &h));
-    tumble_plane p = tumble_add_plane(w, tumble_v(0, 0, 0), 0, -1);
-    ck_assert(!tumble_remove_plane(w, p));
+    ck_assert(!tumble_world_ray(w, tumble_v(0, 5, 0), tumble_v(0, -HUGE_VAL, 0),
+                                ~0u, &h));
+    tumble_plane p = tumble_plane_add(w, tumble_v(0, 0, 0), 0, -1);
+    ck_assert(!tumble_plane_remove(w, p));
     expect_failure(w, "plane");
-    ck_assert_uint_eq(tumble_hull(w, NULL, 4, 1).generation, 0);
+    ck_assert_uint_eq(tumble_shape_hull(w, NULL, 4, 1).generation, 0);
     expect_failure(w, "points");
-    ck_assert_uint_eq(tumble_obj(w, "no/such.obj", 1, 1).generation, 0);
+    ck_assert_uint_eq(tumble_shape_obj(w, "no/such.obj", 1, 1).generation, 0);
     expect_failure(w, "no/such.obj");
-    ck_assert_uint_eq(tumble_add_pieces(w, NULL, NULL, 0, o).generation, 0);
+    ck_assert_uint_eq(tumble_body_add_pieces(w, NULL, NULL, 0, o).generation,
+                      0);
     expect_failure(w, "pieces");
-    ck_assert(!tumble_set_gravity(w, tumble_v((double)NAN, 0, 0)));
+    ck_assert(!tumble_world_set_gravity(w, tumble_v((double)NAN, 0, 0)));
     expect_failure(w, "gravity");
-    o = tumble_at(0, 9, 0);
+    o = tumble_body_at(0, 9, 0);
     o.kind = TUMBLE_STATIC;
-    tumble_body still = tumble_add(w, s, o);
-    ck_assert(!tumble_set_velocity(w, still, tumble_v(1, 0, 0),
-                                   tumble_v(0, 0, 0)));
+    tumble_body still = tumble_body_add(w, s, o);
+    ck_assert(!tumble_body_set_velocity(w, still, tumble_v(1, 0, 0),
+                                        tumble_v(0, 0, 0)));
     expect_failure(w, "static");
     tumble_body gone = { 7, 7 };
-    ck_assert(tumble_get_pose(w, gone).rotation.w == 0);
-    ck_assert(!tumble_is_awake(w, gone));
-    ck_assert(tumble_mass(w, still) == 0);
-    tumble_free(w);
+    ck_assert(tumble_body_pose(w, gone).rotation.w == 0);
+    ck_assert(!tumble_body_is_awake(w, gone));
+    ck_assert(tumble_body_mass(w, still) == 0);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -770,7 +790,7 @@ static void expect_no_world(const char *what, bool is_nothing)
 {
     ck_assert_msg(is_nothing, "%s", what);
     expect_failure(NULL, "there is no world");
-    tumble_forget_failure(NULL);
+    tumble_world_forget_failure(NULL);
 }
 
 #define REFUSED(call) expect_no_world(#call, !(call))
@@ -778,7 +798,7 @@ static void expect_no_world(const char *what, bool is_nothing)
 #define NOTHING(call)                                  \
     do {                                               \
         ck_assert_msg(!(call), "%s", #call);           \
-        ck_assert_ptr_null(tumble_failure(NULL));      \
+        ck_assert_ptr_null(tumble_world_failure(NULL));      \
     } while (0)
 #define DONE(call) expect_no_world(#call, ((call), true))
 
@@ -791,30 +811,30 @@ static const tumble_pose POSE;
 START_TEST(what_makes_makes_nothing_in_no_world)
 {
     const tumble_shape s = { 0, 0 };
-    const tumble_body b = { 0, 1 }, ground = tumble_ground();
+    const tumble_body b = { 0, 1 }, ground = tumble_body_ground();
     const tumble_vec3 corner[4] = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 },
                                     { 0, 0, 1 } };
-    tumble_forget_failure(NONE);
-    NO_ID(tumble_box(NONE, tumble_v(1, 1, 1), 1));
-    NO_ID(tumble_icosahedron(NONE, 1, 1));
-    NO_ID(tumble_sphere(NONE, 1, 1));
-    NO_ID(tumble_capsule(NONE, 1, 1, 1));
-    NO_ID(tumble_hull(NONE, corner, 4, 1));
-    NO_ID(tumble_obj(NONE, "tests/data/cube.obj", 1, 1));
-    NO_ID(tumble_rope(NONE, 3, 1, 1));
-    NO_ID(tumble_cloth(NONE, 3, 3, 1, 1, 1));
-    NO_ID(tumble_add_plane(NONE, UP, 0, -1));
-    NO_ID(tumble_add(NONE, s, tumble_at(0, 0, 0)));
-    NO_ID(tumble_add_pieces(NONE, &s, &POSE, 1, tumble_at(0, 0, 0)));
-    NO_ID(tumble_add_mesh(NONE, corner, 4, (int[]){ 0, 1, 2 }, 1, 0,
-                          tumble_at(0, 0, 0)));
-    NO_ID(tumble_add_heights(NONE, (double[]){ 0, 0, 0, 0 }, 2, 2, 1, 1, 0,
-                             tumble_at(0, 0, 0)));
-    NO_ID(tumble_ball(NONE, b, ground, ZERO));
-    NO_ID(tumble_hinge(NONE, b, ground, ZERO, UP));
-    NO_ID(tumble_fix(NONE, b, ground, ZERO));
-    NO_ID(tumble_distance(NONE, ground, ZERO, b, UP, 0, 1));
-    NO_ID(tumble_hang(NONE, b, 0, ground));
+    tumble_world_forget_failure(NONE);
+    NO_ID(tumble_shape_box(NONE, tumble_v(1, 1, 1), 1));
+    NO_ID(tumble_shape_icosahedron(NONE, 1, 1));
+    NO_ID(tumble_shape_sphere(NONE, 1, 1));
+    NO_ID(tumble_shape_capsule(NONE, 1, 1, 1));
+    NO_ID(tumble_shape_hull(NONE, corner, 4, 1));
+    NO_ID(tumble_shape_obj(NONE, "tests/data/cube.obj", 1, 1));
+    NO_ID(tumble_shape_rope(NONE, 3, 1, 1));
+    NO_ID(tumble_shape_cloth(NONE, 3, 3, 1, 1, 1));
+    NO_ID(tumble_plane_add(NONE, UP, 0, -1));
+    NO_ID(tumble_body_add(NONE, s, tumble_body_at(0, 0, 0)));
+    NO_ID(tumble_body_add_pieces(NONE, &s, &POSE, 1, tumble_body_at(0, 0, 0)));
+    NO_ID(tumble_body_add_mesh(NONE, corner, 4, (int[]){ 0, 1, 2 }, 1, 0,
+                               tumble_body_at(0, 0, 0)));
+    NO_ID(tumble_body_add_heights(NONE, (double[]){ 0, 0, 0, 0 }, 2, 2, 1, 1, 0,
+                                  tumble_body_at(0, 0, 0)));
+    NO_ID(tumble_joint_ball(NONE, b, ground, ZERO));
+    NO_ID(tumble_joint_hinge(NONE, b, ground, ZERO, UP));
+    NO_ID(tumble_joint_fixed(NONE, b, ground, ZERO));
+    NO_ID(tumble_joint_distance(NONE, ground, ZERO, b, UP, 0, 1));
+    NO_ID(tumble_joint_hang(NONE, b, 0, ground));
 }
 END_TEST
 
@@ -822,41 +842,41 @@ START_TEST(what_changes_changes_nothing_in_no_world)
 {
     const tumble_body b = { 0, 1 };
     const tumble_joint j = { 0, 1 };
-    tumble_forget_failure(NONE);
-    DONE(tumble_step(NONE));
-    DONE(tumble_run_on(NONE, NULL, NULL));
-    REFUSED(tumble_set_gravity(NONE, UP));
-    REFUSED(tumble_remove_plane(NONE, (tumble_plane){ 0, 1 }));
-    REFUSED(tumble_drop_shape(NONE, (tumble_shape){ 0, 1 }));
-    REFUSED(tumble_remove(NONE, b));
-    REFUSED(tumble_set_pose(NONE, b, POSE));
-    REFUSED(tumble_set_velocity(NONE, b, ZERO, ZERO));
-    REFUSED(tumble_push(NONE, b, UP, ZERO));
-    REFUSED(tumble_force(NONE, b, UP, ZERO));
-    REFUSED(tumble_wake(NONE, b));
-    REFUSED(tumble_sleep(NONE, b));
-    REFUSED(tumble_set_material(NONE, b, 0, 0));
-    REFUSED(tumble_set_damping(NONE, b, 0, 0));
-    REFUSED(tumble_set_filter(NONE, b, 1, 1));
-    REFUSED(tumble_set_user(NONE, b, NULL));
-    REFUSED(tumble_force_at(NONE, b, UP, ZERO));
-    REFUSED(tumble_set_kind(NONE, b, TUMBLE_STATIC));
-    REFUSED(tumble_set_gravity_scale(NONE, b, 1));
-    REFUSED(tumble_set_locked(NONE, b, 1));
-    REFUSED(tumble_set_sensor(NONE, b, true));
-    REFUSED(tumble_listen(NONE, true));
-    REFUSED(tumble_choose_contacts(NONE, NULL, NULL));
-    REFUSED(tumble_sensor_events(NONE, NULL, 0));
-    REFUSED(tumble_set_touching(NONE, j, true));
-    REFUSED(tumble_pin(NONE, b, 0));
-    REFUSED(tumble_unpin(NONE, b, 0));
-    REFUSED(tumble_push_vertex(NONE, b, 0, UP));
-    REFUSED(tumble_set_bending(NONE, b, 0));
-    REFUSED(tumble_set_stretch(NONE, b, 0));
-    REFUSED(tumble_set_limits(NONE, j, 0, 1));
-    REFUSED(tumble_set_strength(NONE, j, 1));
-    REFUSED(tumble_unjoin(NONE, j));
-    REFUSED(tumble_events(NONE, NULL, 0));
+    tumble_world_forget_failure(NONE);
+    DONE(tumble_world_step(NONE));
+    DONE(tumble_world_run_on(NONE, NULL, NULL));
+    REFUSED(tumble_world_set_gravity(NONE, UP));
+    REFUSED(tumble_plane_remove(NONE, (tumble_plane){ 0, 1 }));
+    REFUSED(tumble_shape_remove(NONE, (tumble_shape){ 0, 1 }));
+    REFUSED(tumble_body_remove(NONE, b));
+    REFUSED(tumble_body_set_pose(NONE, b, POSE));
+    REFUSED(tumble_body_set_velocity(NONE, b, ZERO, ZERO));
+    REFUSED(tumble_body_push(NONE, b, UP, ZERO));
+    REFUSED(tumble_body_force(NONE, b, UP, ZERO));
+    REFUSED(tumble_body_wake(NONE, b));
+    REFUSED(tumble_body_sleep(NONE, b));
+    REFUSED(tumble_body_set_material(NONE, b, 0, 0));
+    REFUSED(tumble_body_set_damping(NONE, b, 0, 0));
+    REFUSED(tumble_body_set_filter(NONE, b, 1, 1));
+    REFUSED(tumble_body_set_user(NONE, b, NULL));
+    REFUSED(tumble_body_force_at(NONE, b, UP, ZERO));
+    REFUSED(tumble_body_set_kind(NONE, b, TUMBLE_STATIC));
+    REFUSED(tumble_body_set_gravity_scale(NONE, b, 1));
+    REFUSED(tumble_body_set_locked(NONE, b, 1));
+    REFUSED(tumble_body_set_sensor(NONE, b, true));
+    REFUSED(tumble_world_listen(NONE, true));
+    REFUSED(tumble_world_choose_contacts(NONE, NULL, NULL));
+    REFUSED(tumble_world_sensor_events(NONE, NULL, 0));
+    REFUSED(tumble_joint_set_touching(NONE, j, true));
+    REFUSED(tumble_body_pin(NONE, b, 0));
+    REFUSED(tumble_body_unpin(NONE, b, 0));
+    REFUSED(tumble_body_push_vertex(NONE, b, 0, UP));
+    REFUSED(tumble_body_set_bending(NONE, b, 0));
+    REFUSED(tumble_body_set_stretch(NONE, b, 0));
+    REFUSED(tumble_joint_set_limits(NONE, j, 0, 1));
+    REFUSED(tumble_joint_set_strength(NONE, j, 1));
+    REFUSED(tumble_joint_remove(NONE, j));
+    REFUSED(tumble_world_events(NONE, NULL, 0));
 }
 END_TEST
 
@@ -872,51 +892,51 @@ START_TEST(a_question_about_no_world_has_the_answer_zero)
     const tumble_shape s = { 0, 1 };
     const tumble_pen pen = { NULL, NULL, NULL, NULL };
     int triangles = 7;
-    tumble_forget_failure(NONE);
-    NOTHING(tumble_time(NONE) != 0);
-    NOTHING(tumble_last_step(NONE).bodies);
-    NOTHING(tumble_measure(NONE).kinetic != 0);
-    NOTHING(tumble_hash(NONE));
-    NOTHING(tumble_save(NONE, NULL, 0));
-    ck_assert_ptr_null(tumble_load(NULL, 0));
-    tumble_forget_failure(NULL);
-    NOTHING(tumble_has(NONE, b));
-    NOTHING(tumble_moved(NONE, NULL, 0));
-    NOTHING(tumble_get_options(NONE, b).group);
-    NOTHING(tumble_shape_of(NONE, b).generation);
-    NOTHING(tumble_gravity_scale(NONE, b) != 0);
-    NOTHING(tumble_locked(NONE, b));
-    NOTHING(tumble_is_sensor(NONE, b));
-    NOTHING(tumble_impulses(NONE, NULL, 0));
-    NOTHING(tumble_sensed(NONE, b, NULL, 0));
-    NOTHING(tumble_joints(NONE, NULL, 0));
+    tumble_world_forget_failure(NONE);
+    NOTHING(tumble_world_time(NONE) != 0);
+    NOTHING(tumble_world_last_step(NONE).bodies);
+    NOTHING(tumble_world_measure(NONE).kinetic != 0);
+    NOTHING(tumble_world_hash(NONE));
+    NOTHING(tumble_world_save(NONE, NULL, 0));
+    ck_assert_ptr_null(tumble_world_load(NULL, 0));
+    tumble_world_forget_failure(NULL);
+    NOTHING(tumble_body_exists(NONE, b));
+    NOTHING(tumble_world_moved(NONE, NULL, 0));
+    NOTHING(tumble_body_get_options(NONE, b).group);
+    NOTHING(tumble_body_shape(NONE, b).generation);
+    NOTHING(tumble_body_gravity_scale(NONE, b) != 0);
+    NOTHING(tumble_body_locked(NONE, b));
+    NOTHING(tumble_body_is_sensor(NONE, b));
+    NOTHING(tumble_world_impulses(NONE, NULL, 0));
+    NOTHING(tumble_body_sensed(NONE, b, NULL, 0));
+    NOTHING(tumble_world_joints(NONE, NULL, 0));
     NOTHING(tumble_joint_body(NONE, j, 0).generation);
-    NOTHING(tumble_may_touch(NONE, j));
-    NOTHING(tumble_bodies(NONE, NULL, 0));
-    NOTHING(tumble_get_pose(NONE, b).rotation.w != 0);
-    NOTHING(!is_zero(tumble_position(NONE, b)));
-    NOTHING(!is_zero(tumble_velocity(NONE, b)));
-    NOTHING(!is_zero(tumble_spin(NONE, b)));
-    NOTHING(tumble_mass(NONE, b) != 0);
-    NOTHING(tumble_user(NONE, b));
-    NOTHING(tumble_is_awake(NONE, b));
-    NOTHING(tumble_vertices(NONE, b, NULL, 0));
-    NOTHING(tumble_triangles(NONE, b, &triangles) || triangles);
-    NOTHING(!is_zero(tumble_vertex(NONE, b, 0)));
-    NOTHING(tumble_is_joined(NONE, j));
+    NOTHING(tumble_joint_may_touch(NONE, j));
+    NOTHING(tumble_world_bodies(NONE, NULL, 0));
+    NOTHING(tumble_body_pose(NONE, b).rotation.w != 0);
+    NOTHING(!is_zero(tumble_body_position(NONE, b)));
+    NOTHING(!is_zero(tumble_body_velocity(NONE, b)));
+    NOTHING(!is_zero(tumble_body_spin(NONE, b)));
+    NOTHING(tumble_body_mass(NONE, b) != 0);
+    NOTHING(tumble_body_user(NONE, b));
+    NOTHING(tumble_body_is_awake(NONE, b));
+    NOTHING(tumble_body_vertices(NONE, b, NULL, 0));
+    NOTHING(tumble_body_triangles(NONE, b, &triangles) || triangles);
+    NOTHING(!is_zero(tumble_body_vertex(NONE, b, 0)));
+    NOTHING(tumble_joint_exists(NONE, j));
     NOTHING(tumble_joint_gap(NONE, j) != 0);
     NOTHING(tumble_joint_force(NONE, j) != 0);
-    NOTHING(tumble_hinge_angle(NONE, j) != 0);
-    NOTHING(tumble_ray(NONE, ZERO, UP, ~0u, NULL));
-    NOTHING(tumble_nearest(NONE, ZERO, 1, ~0u, NULL));
-    NOTHING(tumble_overlap(NONE, s, POSE, ~0u, NULL, 0));
-    NOTHING(tumble_sweep(NONE, s, POSE, UP, ~0u, NULL));
-    NOTHING(tumble_ray_all(NONE, ZERO, UP, ~0u, NULL, 0));
-    NOTHING(tumble_ray_soft(NONE, ZERO, UP, ~0u, NULL));
-    NOTHING(tumble_nearest_soft(NONE, ZERO, 1, ~0u, NULL));
-    NOTHING(tumble_sweep_turning(NONE, s, POSE, UP, UP, ~0u, NULL));
-    NOTHING(tumble_contacts(NONE, NULL, 0));
-    NOTHING((tumble_draw(NONE, &pen), false));
+    NOTHING(tumble_joint_angle(NONE, j) != 0);
+    NOTHING(tumble_world_ray(NONE, ZERO, UP, ~0u, NULL));
+    NOTHING(tumble_world_nearest(NONE, ZERO, 1, ~0u, NULL));
+    NOTHING(tumble_world_overlap(NONE, s, POSE, ~0u, NULL, 0));
+    NOTHING(tumble_world_sweep(NONE, s, POSE, UP, ~0u, NULL));
+    NOTHING(tumble_world_ray_all(NONE, ZERO, UP, ~0u, NULL, 0));
+    NOTHING(tumble_world_ray_soft(NONE, ZERO, UP, ~0u, NULL));
+    NOTHING(tumble_world_nearest_soft(NONE, ZERO, 1, ~0u, NULL));
+    NOTHING(tumble_world_sweep_turning(NONE, s, POSE, UP, UP, ~0u, NULL));
+    NOTHING(tumble_world_contacts(NONE, NULL, 0));
+    NOTHING((tumble_world_draw(NONE, &pen), false));
 }
 END_TEST
 
@@ -925,9 +945,10 @@ START_TEST(a_world_that_was_not_made_says_why_to_the_end)
 {
     tumble_options o = tumble_options_default();
     o.dt = 2;
-    tumble_world *w = tumble_make(&o);
-    tumble_add(w, tumble_box(w, tumble_v(1, 1, 1), 1), tumble_at(0, 0, 0));
-    tumble_step(w);
+    tumble_world *w = tumble_world_make(&o);
+    tumble_body_add(w, tumble_shape_box(w, tumble_v(1, 1, 1), 1),
+                    tumble_body_at(0, 0, 0));
+    tumble_world_step(w);
     expect_failure(NULL, "dt is 2");
 }
 END_TEST
@@ -936,26 +957,27 @@ END_TEST
 // nothing.
 START_TEST(options_that_were_not_begun_are_refused)
 {
-    tumble_world *w = tumble_make(NULL);
-    tumble_shape box = tumble_box(w, tumble_v(1, 1, 1), 1);
+    tumble_world *w = tumble_world_make(NULL);
+    tumble_shape box = tumble_shape_box(w, tumble_v(1, 1, 1), 1);
     tumble_pose at = { { 0, 5, 0 }, { 0, 0, 0, 1 } };
     tumble_body_options zero = { 0 };
-    ck_assert_int_eq((int)tumble_add(w, box, zero).generation, 0);
-    expect_failure(w, "options begin with tumble_at");
-    tumble_forget_failure(w);
-    ck_assert_int_eq((int)tumble_add_pieces(w, &box, &at, 1, zero).generation,
+    ck_assert_int_eq((int)tumble_body_add(w, box, zero).generation, 0);
+    expect_failure(w, "options begin with tumble_body_at");
+    tumble_world_forget_failure(w);
+    ck_assert_int_eq((int)tumble_body_add_pieces(w, &box, &at, 1,
+                                                 zero).generation,
                      0);
-    expect_failure(w, "options begin with tumble_at");
-    tumble_forget_failure(w);
-    tumble_body b = tumble_add(w, box, tumble_at(0, 1, 0));
-    ck_assert(!tumble_set_filter(w, b, 0, 0));
+    expect_failure(w, "options begin with tumble_body_at");
+    tumble_world_forget_failure(w);
+    tumble_body b = tumble_body_add(w, box, tumble_body_at(0, 1, 0));
+    ck_assert(!tumble_body_set_filter(w, b, 0, 0));
     expect_failure(w, "group 0");
-    tumble_forget_failure(w);
-    ck_assert(tumble_set_filter(w, b, 1, 0));
+    tumble_world_forget_failure(w);
+    ck_assert(tumble_body_set_filter(w, b, 1, 0));
     tumble_options none = { 0 };
-    ck_assert_ptr_null(tumble_make(&none));
+    ck_assert_ptr_null(tumble_world_make(&none));
     expect_failure(NULL, "dt is 0");
-    tumble_free(w);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -966,28 +988,29 @@ START_TEST(what_is_stopped_in_mid_air_is_reported)
 {
     tumble_options o = tumble_options_default();
     o.substeps = o.most_substeps = _i;
-    tumble_world *w = tumble_make(&o);
-    tumble_shape link = tumble_box(w, tumble_v(0.3, 0.1, 0.1), 1);
-    tumble_shape load = tumble_sphere(w, 0.3, _i == 1 ? 100 : 1e6);
-    tumble_body last = tumble_ground();
+    tumble_world *w = tumble_world_make(&o);
+    tumble_shape link = tumble_shape_box(w, tumble_v(0.3, 0.1, 0.1), 1);
+    tumble_shape load = tumble_shape_sphere(w, 0.3, _i == 1 ? 100 : 1e6);
+    tumble_body last = tumble_body_ground();
     for (int k = 0; k <= 20; k++) {
         bool is_load = k == 20;
         double x = 0.3 * k + (is_load ? 0.3 : 0.15);
-        tumble_body b = tumble_add(w, is_load ? load : link,
-                                   tumble_at(x, 20, 0));
-        tumble_ball(w, last, b, tumble_v(0.3 * k, 20, 0));
+        tumble_body b = tumble_body_add(w, is_load ? load : link,
+                                        tumble_body_at(x, 20, 0));
+        tumble_joint_ball(w, last, b, tumble_v(0.3 * k, 20, 0));
         last = b;
     }
     int unconverged = 0;
     for (int k = 0; k < 100; k++) {
-        tumble_step(w);
-        unconverged += tumble_last_step(w).unconverged;
-        tumble_vec3 p = tumble_position(w, last), v = tumble_velocity(w, last);
+        tumble_world_step(w);
+        unconverged += tumble_world_last_step(w).unconverged;
+        tumble_vec3 p = tumble_body_position(w, last),
+                    v = tumble_body_velocity(w, last);
         ck_assert(isfinite(p.x + p.y + p.z + v.x + v.y + v.z));
-        ck_assert(!tumble_failure(w) || unconverged > 0);
+        ck_assert(!tumble_world_failure(w) || unconverged > 0);
     }
     expect_failure(w, "more substeps");
-    tumble_free(w);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -995,25 +1018,26 @@ END_TEST
 // Rejects: a pin that feeds a rope until it has no numbers.
 static void spin_a_rope(double spin)
 {
-    tumble_world *w = tumble_make(NULL);
-    tumble_body_options spun = tumble_at(0, 0, 0);
+    tumble_world *w = tumble_world_make(NULL);
+    tumble_body_options spun = tumble_body_at(0, 0, 0);
     spun.spin = tumble_v(0, spin, spin / 3);
-    tumble_shape cube = tumble_box(w, tumble_v(1, 1, 1), 1);
-    tumble_shape light = tumble_box(w, tumble_v(1, 1, 1), 0.006);
-    tumble_body wheel = tumble_add(w, cube, spun);
+    tumble_shape cube = tumble_shape_box(w, tumble_v(1, 1, 1), 1);
+    tumble_shape light = tumble_shape_box(w, tumble_v(1, 1, 1), 0.006);
+    tumble_body wheel = tumble_body_add(w, cube, spun);
     spun.spin = tumble_v(0, 1e8, 0);
-    tumble_body rope = tumble_add(w, tumble_rope(w, 10, 3, 1), spun);
-    tumble_body block = tumble_add(w, light, tumble_at(0, 2, 0));
-    tumble_joint pin = tumble_hang(w, rope, 0, wheel);
-    tumble_hang(w, rope, 10, block);
+    tumble_body rope = tumble_body_add(w, tumble_shape_rope(w, 10, 3, 1), spun);
+    tumble_body block = tumble_body_add(w, light, tumble_body_at(0, 2, 0));
+    tumble_joint pin = tumble_joint_hang(w, rope, 0, wheel);
+    tumble_joint_hang(w, rope, 10, block);
     for (int k = 0; k < 40; k++) {
-        tumble_step(w);
-        tumble_vec3 p = tumble_position(w, rope), v = tumble_velocity(w, rope);
+        tumble_world_step(w);
+        tumble_vec3 p = tumble_body_position(w, rope),
+                    v = tumble_body_velocity(w, rope);
         ck_assert(isfinite(p.x + p.y + p.z + v.x + v.y + v.z));
         ck_assert(isfinite(tumble_joint_force(w, pin)));
     }
     expect_fine(w);
-    tumble_free(w);
+    tumble_world_free(w);
 }
 
 START_TEST(a_pinned_rope_keeps_its_numbers)
@@ -1027,22 +1051,23 @@ END_TEST
 static bool loses_numbers(double light)
 {
     tumble_world *w = weightless();
-    tumble_body_options fast = tumble_at(0, 0, 0);
+    tumble_body_options fast = tumble_body_at(0, 0, 0);
     fast.velocity = tumble_v(1e4, 5e3, 3e3);
     fast.spin = tumble_v(0, 1e9, 3e8);
-    tumble_shape cube = tumble_box(w, tumble_v(1, 1, 1), light);
-    tumble_add(w, tumble_box(w, tumble_v(1, 1, 1), 1000), fast);
-    tumble_body b = tumble_add(w, cube, tumble_at(0.6, 0.3, 0.2));
-    tumble_joint j = tumble_ball(w, b, tumble_ground(), tumble_v(2, 1, 3));
+    tumble_shape cube = tumble_shape_box(w, tumble_v(1, 1, 1), light);
+    tumble_body_add(w, tumble_shape_box(w, tumble_v(1, 1, 1), 1000), fast);
+    tumble_body b = tumble_body_add(w, cube, tumble_body_at(0.6, 0.3, 0.2));
+    tumble_joint j = tumble_joint_ball(w, b, tumble_body_ground(),
+                                       tumble_v(2, 1, 3));
     bool was_lost = false;
     for (int k = 0; k < 60; k++) {
-        tumble_step(w);
-        was_lost |= tumble_failure(w) != NULL;
-        if (k < 30) tumble_forget_failure(w);
+        tumble_world_step(w);
+        was_lost |= tumble_world_failure(w) != NULL;
+        if (k < 30) tumble_world_forget_failure(w);
         ck_assert(isfinite(tumble_joint_force(w, j)));
     }
     expect_fine(w);
-    tumble_free(w);
+    tumble_world_free(w);
     return was_lost;
 }
 
@@ -1060,18 +1085,19 @@ END_TEST
 // Rejects: a joint that pushes what does not yield, ever harder: 1e16 N.
 START_TEST(a_joint_of_what_does_not_yield_bears_nothing)
 {
-    tumble_world *w = tumble_make(NULL);
-    tumble_body_options driven = tumble_at(0, 0, 0);
+    tumble_world *w = tumble_world_make(NULL);
+    tumble_body_options driven = tumble_body_at(0, 0, 0);
     driven.kind = TUMBLE_KINEMATIC;
     driven.velocity = tumble_v(1, 0, 0);
-    tumble_shape cube = tumble_box(w, tumble_v(1, 1, 1), 1);
-    tumble_body b = tumble_add(w, cube, driven);
-    tumble_joint j = tumble_ball(w, b, tumble_ground(), tumble_v(0, 0, 0));
+    tumble_shape cube = tumble_shape_box(w, tumble_v(1, 1, 1), 1);
+    tumble_body b = tumble_body_add(w, cube, driven);
+    tumble_joint j = tumble_joint_ball(w, b, tumble_body_ground(),
+                                       tumble_v(0, 0, 0));
     run(w, 1);
     near(tumble_joint_force(w, j), 0, 0);
-    near(tumble_position(w, b).x, 1, 1e-9);
+    near(tumble_body_position(w, b).x, 1, 1e-9);
     near(tumble_joint_gap(w, j), 1, 1e-9);
-    tumble_free(w);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -1082,17 +1108,18 @@ START_TEST(a_step_has_no_more_substeps_than_the_most)
 {
     tumble_options o = tumble_options_default();
     o.substeps = 10000;
-    tumble_world *w = tumble_make(&o);
-    tumble_body_options fast = tumble_at(-3, 0, 0);
+    tumble_world *w = tumble_world_make(&o);
+    tumble_body_options fast = tumble_body_at(-3, 0, 0);
     fast.velocity = tumble_v(300, 0, 0);
-    tumble_add(w, tumble_box(w, tumble_v(0.1, 0.1, 0.1), 1), fast);
-    tumble_add(w, tumble_box(w, tumble_v(1, 1, 1), 1), tumble_at(0, 0, 0));
+    tumble_body_add(w, tumble_shape_box(w, tumble_v(0.1, 0.1, 0.1), 1), fast);
+    tumble_body_add(w, tumble_shape_box(w, tumble_v(1, 1, 1), 1),
+                    tumble_body_at(0, 0, 0));
     for (int k = 0; k < 3; k++) {
-        tumble_step(w);
-        ck_assert_int_le(tumble_last_step(w).substeps, 10000);
+        tumble_world_step(w);
+        ck_assert_int_le(tumble_world_last_step(w).substeps, 10000);
     }
     expect_failure(w, "10000 substeps in all");
-    tumble_free(w);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -1103,20 +1130,23 @@ START_TEST(a_paddle_does_not_go_through_what_it_hits)
 {
     for (double spin = 12; spin < 40; spin *= 1.3) {
         tumble_world *w = with_floor();
-        tumble_body_options o = tumble_at(0, 1, 0);
+        tumble_body_options o = tumble_body_at(0, 1, 0);
         o.kind = TUMBLE_KINEMATIC;
         o.spin = tumble_v(0, spin, 0);
-        tumble_add(w, tumble_box(w, tumble_v(6, 2, 0.5), 1), o);
-        tumble_shape cube = tumble_box(w, tumble_v(1, 1, 1), 1);
+        tumble_body_add(w, tumble_shape_box(w, tumble_v(6, 2, 0.5), 1), o);
+        tumble_shape cube = tumble_shape_box(w, tumble_v(1, 1, 1), 1);
         for (int i = 0; i < 8; i++) {
             double a = 0.3 + i * 0.785;
-            tumble_add(w, cube, tumble_at(2.4 * cos(a), 0.5, 2.4 * sin(a)));
+            tumble_body_add(w, cube,
+                            tumble_body_at(2.4 * cos(a), 0.5, 2.4 * sin(a)));
         }
         for (int k = 0; k < 30; k++) {
-            tumble_step(w);
-            ck_assert_msg(tumble_measure(w).penetration < 0.05, "spin %g step %d: %g", spin, k, tumble_measure(w).penetration);
+            tumble_world_step(w);
+            ck_assert_msg(tumble_world_measure(w).penetration < 0.05,
+                          "spin %g step %d: %g", spin, k,
+                          tumble_world_measure(w).penetration);
         }
-        tumble_free(w);
+        tumble_world_free(w);
     }
 }
 END_TEST
@@ -1130,26 +1160,29 @@ START_TEST(a_box_rides_on_a_plate_that_goes_up)
 {
     tumble_options o = tumble_options_default();
     o.dt = 1.0 / 30;
-    tumble_world *w = tumble_make(&o);
+    tumble_world *w = tumble_world_make(&o);
     double c = cos(0.4), s = sin(0.4);
-    tumble_body_options at = tumble_at(0, 0, 0);
+    tumble_body_options at = tumble_body_at(0, 0, 0);
     at.kind = TUMBLE_KINEMATIC;
-    at.pose.rotation = tumble_turn(tumble_v(0, 0, 1), 0.4);
+    at.pose.rotation = tumble_quat_turn(tumble_v(0, 0, 1), 0.4);
     at.velocity = tumble_v(0, 1, 0);
-    tumble_body plate = tumble_add(w, tumble_box(w, tumble_v(2, 0.2, 2), 1), at);
-    at = tumble_at(-0.2 * s, 0.2 * c, 0);
-    at.pose.rotation = tumble_turn(tumble_v(0, 0, 1), 0.4);
+    tumble_body plate =
+        tumble_body_add(w, tumble_shape_box(w, tumble_v(2, 0.2, 2), 1), at);
+    at = tumble_body_at(-0.2 * s, 0.2 * c, 0);
+    at.pose.rotation = tumble_quat_turn(tumble_v(0, 0, 1), 0.4);
     at.velocity = tumble_v(0, 1, 0);
-    tumble_body box = tumble_add(w, tumble_box(w, tumble_v(0.2, 0.2, 0.2), 1),
-                                 at);
+    tumble_body box =
+        tumble_body_add(w, tumble_shape_box(w, tumble_v(0.2, 0.2, 0.2), 1),
+                        at);
     for (int k = 0; k < 60; k++) {
-        tumble_step(w);
-        tumble_vec3 a = tumble_position(w, plate), b = tumble_position(w, box);
+        tumble_world_step(w);
+        tumble_vec3 a = tumble_body_position(w, plate),
+                    b = tumble_body_position(w, box);
         near(hypot(b.x - a.x, b.y - a.y), 0.2, 1e-3);
-        ck_assert_double_lt(tumble_measure(w).penetration, 1e-3);
+        ck_assert_double_lt(tumble_world_measure(w).penetration, 1e-3);
     }
     expect_fine(w);
-    tumble_free(w);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -1159,15 +1192,15 @@ START_TEST(a_box_that_hangs_still_has_no_velocity)
 {
     tumble_options o = tumble_options_default();
     o.sleep_speed = 0;
-    tumble_world *w = tumble_make(&o);
+    tumble_world *w = tumble_world_make(&o);
     tumble_body box = add_box(w, 0, -1, 0);
-    tumble_ball(w, tumble_ground(), box, tumble_v(0, 0, 0));
+    tumble_joint_ball(w, tumble_body_ground(), box, tumble_v(0, 0, 0));
     run(w, 0.5);
-    near_vec3(tumble_velocity(w, box), 0, 0, 0, 1e-9);
+    near_vec3(tumble_body_velocity(w, box), 0, 0, 0, 1e-9);
     tumble_vec3 slow = { 1e-3, 0, 0 }, none = { 0, 0, 0 };
-    ck_assert(tumble_set_velocity(w, box, slow, none));
-    near_vec3(tumble_velocity(w, box), 1e-3, 0, 0, 1e-12);
-    tumble_free(w);
+    ck_assert(tumble_body_set_velocity(w, box, slow, none));
+    near_vec3(tumble_body_velocity(w, box), 1e-3, 0, 0, 1e-12);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -1178,36 +1211,37 @@ END_TEST
 START_TEST(weights_over_a_drum_go_as_atwood_says)
 {
     enum { LINKS = 60 };
-    tumble_world *w = tumble_make(NULL);
-    tumble_body_options o = tumble_at(0, 0, 0);
+    tumble_world *w = tumble_world_make(NULL);
+    tumble_body_options o = tumble_body_at(0, 0, 0);
     o.kind = TUMBLE_STATIC;
     o.friction = 0;
-    o.pose.rotation = tumble_turn(tumble_v(1, 0, 0), acos(0));
-    tumble_add(w, tumble_capsule(w, 1, 0.2, 1), o);
-    o = tumble_at(0, 0.24, 0);
+    o.pose.rotation = tumble_quat_turn(tumble_v(1, 0, 0), acos(0));
+    tumble_body_add(w, tumble_shape_capsule(w, 1, 0.2, 1), o);
+    o = tumble_body_at(0, 0.24, 0);
     o.damping = 4;
     o.friction = 0;
-    tumble_body rope = tumble_add(w, tumble_rope(w, LINKS, 3, 0.05), o);
+    tumble_body rope = tumble_body_add(w, tumble_shape_rope(w, LINKS, 3, 0.05),
+                                       o);
     tumble_body weight[2];
-    tumble_pin(w, rope, LINKS / 2);
+    tumble_body_pin(w, rope, LINKS / 2);
     for (int i = 0; i < 2; i++) {
-        tumble_vec3 end = tumble_vertex(w, rope, i * LINKS);
-        o = tumble_at(end.x, end.y, end.z);
+        tumble_vec3 end = tumble_body_vertex(w, rope, i * LINKS);
+        o = tumble_body_at(end.x, end.y, end.z);
         o.damping = 4;
         o.mask = 0;
-        tumble_shape ball = tumble_sphere(w, 0.05, i ? 1.5 : 1);
-        weight[i] = tumble_add(w, ball, o);
-        tumble_hang(w, rope, i * LINKS, weight[i]);
+        tumble_shape ball = tumble_shape_sphere(w, 0.05, i ? 1.5 : 1);
+        weight[i] = tumble_body_add(w, ball, o);
+        tumble_joint_hang(w, rope, i * LINKS, weight[i]);
     }
     run(w, 6);
-    tumble_unpin(w, rope, LINKS / 2);
-    tumble_set_damping(w, rope, 0, 0);
-    for (int i = 0; i < 2; i++) tumble_set_damping(w, weight[i], 0, 0);
-    double from = tumble_position(w, weight[1]).y, t = 0.4;
+    tumble_body_unpin(w, rope, LINKS / 2);
+    tumble_body_set_damping(w, rope, 0, 0);
+    for (int i = 0; i < 2; i++) tumble_body_set_damping(w, weight[i], 0, 0);
+    double from = tumble_body_position(w, weight[1]).y, t = 0.4;
     run(w, t);
-    near(from - tumble_position(w, weight[1]).y, 9.81 * t * t / 10, 0.03);
+    near(from - tumble_body_position(w, weight[1]).y, 9.81 * t * t / 10, 0.03);
     expect_fine(w);
-    tumble_free(w);
+    tumble_world_free(w);
 }
 END_TEST
 

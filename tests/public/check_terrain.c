@@ -52,13 +52,13 @@ static tumble_body lay(tumble_world *w, form as, height_of *f, int n,
         memcpy(v + count, cell, sizeof cell);
         count += 6;
     }
-    tumble_body_options o = tumble_at(0, 0, 0);
-    o.pose.rotation = tumble_turn(tumble_v(0, 0, 1), turn);
+    tumble_body_options o = tumble_body_at(0, 0, 0);
+    o.pose.rotation = tumble_quat_turn(tumble_v(0, 0, 1), turn);
     tumble_body b = as == MESH
-        ? tumble_add_mesh(w, point, n * n, v, count / 3, thickness, o)
-        : tumble_add_heights(w, height, n, n, side, side, thickness,
-                             o);
-    ck_assert_ptr_null(tumble_failure(w));
+        ? tumble_body_add_mesh(w, point, n * n, v, count / 3, thickness, o)
+        : tumble_body_add_heights(w, height, n, n, side, side, thickness,
+                                  o);
+    ck_assert_ptr_null(tumble_world_failure(w));
     free(height);
     free(point);
     free(v);
@@ -67,14 +67,14 @@ static tumble_body lay(tumble_world *w, form as, height_of *f, int n,
 
 static tumble_world *empty(void)
 {
-    tumble_world *w = tumble_make(NULL);
+    tumble_world *w = tumble_world_make(NULL);
     ck_assert_ptr_nonnull(w);
     return w;
 }
 
 static void go(tumble_world *w, int steps)
 {
-    for (int k = 0; k < steps; k++) tumble_step(w);
+    for (int k = 0; k < steps; k++) tumble_world_step(w);
 }
 
 static bool is_same(tumble_body a, tumble_body b)
@@ -94,22 +94,22 @@ START_TEST(a_ball_rolls_down_a_slope_over_two_hundred_edges)
         lay(w, (form)as, flat, 251, 40, -slope);
         double x = -15 * cos(slope) + r * sin(slope);
         double y = 15 * sin(slope) + r * cos(slope);
-        tumble_body b = tumble_add(w, tumble_sphere(w, r, 1),
-                                   tumble_at(x, y, 0.03));
+        tumble_body b = tumble_body_add(w, tumble_shape_sphere(w, r, 1),
+                                        tumble_body_at(x, y, 0.03));
         double hop = 0;
         for (int k = 0; k < 60 * seconds; k++) {
-            tumble_step(w);
-            tumble_vec3 p = tumble_position(w, b);
+            tumble_world_step(w);
+            tumble_vec3 p = tumble_body_position(w, b);
             hop = fmax(hop, fabs(p.x * sin(slope) + p.y * cos(slope) - r));
         }
-        tumble_vec3 p = tumble_position(w, b);
+        tumble_vec3 p = tumble_body_position(w, b);
         double way = p.x * cos(slope) - p.y * sin(slope) + 15;
         double wanted = 5.0 / 7 * G * sin(slope) * seconds * seconds / 2;
         ck_assert_msg(fabs(way / wanted - 1) < 0.01 && way > 100 * 0.16,
                       "%g m of %g", way, wanted);
         ck_assert_msg(hop < 1e-3 && fabs(p.z - 0.03) < 1e-3,
                       "%g m off, %g m aside", hop, p.z - 0.03);
-        tumble_free(w);
+        tumble_world_free(w);
     }
 }
 END_TEST
@@ -122,24 +122,25 @@ START_TEST(a_box_slides_over_a_floor_of_cells_as_friction_says)
         double v = 2 << k % 3, turn = 0.4 * (k / 3 % 2), hop = 0, mu = 0.3;
         tumble_options options = tumble_options_default();
         options.friction = mu;
-        tumble_world *w = tumble_make(&options);
+        tumble_world *w = tumble_world_make(&options);
         lay(w, (form)(k / 6), flat, 21, 40, 0);
-        tumble_body_options o = tumble_at(-15, 0.1, 0.13);
+        tumble_body_options o = tumble_body_at(-15, 0.1, 0.13);
         o.velocity = tumble_v(v, 0, 0);
-        o.pose.rotation = tumble_turn(tumble_v(0, 1, 0), turn);
-        tumble_body b = tumble_add(w, tumble_box(w, tumble_v(0.4, 0.2, 0.4), 1),
-                                   o);
+        o.pose.rotation = tumble_quat_turn(tumble_v(0, 1, 0), turn);
+        tumble_body b =
+            tumble_body_add(w, tumble_shape_box(w, tumble_v(0.4, 0.2, 0.4), 1),
+                            o);
         for (int i = 0; i < 240; i++) {
-            tumble_step(w);
-            hop = fmax(hop, fabs(tumble_position(w, b).y - 0.1));
+            tumble_world_step(w);
+            hop = fmax(hop, fabs(tumble_body_position(w, b).y - 0.1));
         }
-        tumble_vec3 p = tumble_position(w, b);
+        tumble_vec3 p = tumble_body_position(w, b);
         double wanted = v * v / (2 * mu * G);
         ck_assert_msg(fabs((p.x + 15) / wanted - 1) < 0.002,
                       "%g m of %g", p.x + 15, wanted);
         ck_assert_msg(hop < 1e-3 && fabs(p.z - 0.13) < 0.005,
                       "%g m up, %g aside", hop, p.z - 0.13);
-        tumble_free(w);
+        tumble_world_free(w);
     }
 }
 END_TEST
@@ -152,14 +153,15 @@ START_TEST(a_box_slides_over_cells_that_are_much_smaller_than_it)
         double mu = 0.5, wanted = 9 / (2 * mu * G);
         tumble_world *w = empty();
         lay(w, (form)as, flat, 101, 10, 0);
-        tumble_body_options o = tumble_at(-1, 0.25, 0.1);
+        tumble_body_options o = tumble_body_at(-1, 0.25, 0.1);
         o.velocity = tumble_v(3, 0, 0);
-        tumble_body b = tumble_add(w, tumble_box(w, tumble_v(1, 0.5, 1), 1), o);
+        tumble_body b =
+            tumble_body_add(w, tumble_shape_box(w, tumble_v(1, 0.5, 1), 1), o);
         go(w, 60);
-        tumble_vec3 p = tumble_position(w, b);
+        tumble_vec3 p = tumble_body_position(w, b);
         ck_assert_msg(fabs((p.x + 1) / wanted - 1) < 0.01 && fabs(p.z - 0.1) < 0.01,
                       "%g m of %g, %g aside", p.x + 1, wanted, p.z - 0.1);
-        tumble_free(w);
+        tumble_world_free(w);
     }
 }
 END_TEST
@@ -168,9 +170,9 @@ END_TEST
 
 static tumble_shape shape_of(tumble_world *w, int kind)
 {
-    return kind == 0 ? tumble_box(w, tumble_v(0.5, 0.4, 0.6), 1)
-         : kind == 1 ? tumble_icosahedron(w, 0.3, 1)
-                     : tumble_capsule(w, 0.4, 0.2, 1);
+    return kind == 0 ? tumble_shape_box(w, tumble_v(0.5, 0.4, 0.6), 1)
+         : kind == 1 ? tumble_shape_icosahedron(w, 0.3, 1)
+                     : tumble_shape_capsule(w, 0.4, 0.2, 1);
 }
 
 enum { PILE = 50 };
@@ -180,9 +182,10 @@ static void pour(tumble_world *w, tumble_body *b)
     tumble_shape s[3];
     for (int k = 0; k < 3; k++) s[k] = shape_of(w, k);
     for (int k = 0; k < PILE; k++)
-        b[k] = tumble_add(w, s[k % 3],
-                          tumble_at(0.5 * (k % 4) - 0.7, 2 + 0.5 * (k / 4),
-                                    0.5 * (k % 5) - 1));
+        b[k] = tumble_body_add(w, s[k % 3],
+                               tumble_body_at(0.5 * (k % 4) - 0.7,
+                                              2 + 0.5 * (k / 4),
+                                              0.5 * (k % 5) - 1));
 }
 
 // Rejects: a piece that goes from under a sleeper, or shakes what lies on it.
@@ -195,13 +198,13 @@ START_TEST(a_pile_on_a_wavy_ground_falls_asleep_and_none_falls_through)
         pour(w, b);
         go(w, 3000);            // a capsule rolls to and fro for long
         for (int k = 0; k < PILE; k++) {
-            tumble_vec3 p = tumble_position(w, b[k]);
+            tumble_vec3 p = tumble_body_position(w, b[k]);
             ck_assert_msg(p.y - bowl(p.x, p.z) > 0.15, "body %d is %g m above",
                           k, p.y - bowl(p.x, p.z));
         }
-        ck_assert_int_eq(tumble_last_step(w).asleep, PILE);
-        ck_assert(tumble_measure(w).penetration < 0.005);
-        tumble_free(w);
+        ck_assert_int_eq(tumble_world_last_step(w).asleep, PILE);
+        ck_assert(tumble_world_measure(w).penetration < 0.005);
+        tumble_world_free(w);
     }
 }
 END_TEST
@@ -212,19 +215,20 @@ START_TEST(what_rolls_by_wakes_no_sleeper)
     tumble_world *w = empty();
     thickness = 0.5;
     lay(w, HEIGHTS, flat, 11, 10, 0);
-    tumble_body b = tumble_add(w, tumble_box(w, tumble_v(1, 1, 1), 1),
-                               tumble_at(0, 0.5, -0.1));
+    tumble_body b = tumble_body_add(w,
+                                    tumble_shape_box(w, tumble_v(1, 1, 1), 1),
+                                    tumble_body_at(0, 0.5, -0.1));
     go(w, 120);
-    ck_assert(!tumble_is_awake(w, b));
-    tumble_body_options o = tumble_at(-3, 0.2, 1.3);
+    ck_assert(!tumble_body_is_awake(w, b));
+    tumble_body_options o = tumble_body_at(-3, 0.2, 1.3);
     o.velocity = tumble_v(4, 0, 0);
-    tumble_body rolls = tumble_add(w, tumble_sphere(w, 0.2, 1), o);
+    tumble_body rolls = tumble_body_add(w, tumble_shape_sphere(w, 0.2, 1), o);
     for (int k = 0; k < 80; k++) {
-        tumble_step(w);
-        ck_assert(!tumble_is_awake(w, b));
+        tumble_world_step(w);
+        ck_assert(!tumble_body_is_awake(w, b));
     }
-    ck_assert(tumble_position(w, rolls).x > 0.5);
-    tumble_free(w);
+    ck_assert(tumble_body_position(w, rolls).x > 0.5);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -234,13 +238,13 @@ START_TEST(a_cloth_lies_on_a_wavy_ground)
     tumble_world *w = empty();
     tumble_vec3 at[400];
     lay(w, HEIGHTS, wavy, 41, 20, 0);
-    tumble_body b = tumble_add(w, tumble_cloth(w, 20, 20, 2, 2, 1),
-                               tumble_at(0.3, 1, 0.2));
+    tumble_body b = tumble_body_add(w, tumble_shape_cloth(w, 20, 20, 2, 2, 1),
+                                    tumble_body_at(0.3, 1, 0.2));
     go(w, 180);
-    tumble_vertices(w, b, at, 400);
+    tumble_body_vertices(w, b, at, 400);
     for (int i = 0; i < 400; i++)
         ck_assert_msg(at[i].y > wavy(at[i].x, at[i].z), "vertex %d", i);
-    tumble_free(w);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -249,12 +253,12 @@ END_TEST
 static tumble_body shoot(tumble_world *w, unsigned long long *r, int k,
                          double from, double speed)
 {
-    tumble_body_options o = tumble_at(4 * random_real(r), from,
-                                      4 * random_real(r));
+    tumble_body_options o = tumble_body_at(4 * random_real(r), from,
+                                           4 * random_real(r));
     o.velocity = tumble_v(50 * random_real(r), speed, 0);
-    return tumble_add(w, k % 2 ? tumble_sphere(w, 0.02, 0.01)
-                               : tumble_box(w, tumble_v(0.03, 0.02, 0.04), 0.01),
-                      o);
+    tumble_vec3 sides = tumble_v(0.03, 0.02, 0.04);
+    return tumble_body_add(w, k % 2 ? tumble_shape_sphere(w, 0.02, 0.01)
+                                    : tumble_shape_box(w, sides, 0.01), o);
 }
 
 // From above and from below, at a surface that is 5 cm thick.
@@ -270,15 +274,15 @@ START_TEST(a_bullet_of_three_hundred_metres_a_second_stops)
         lay(w, (form)(k / 2 % 2), wavy, 81, 20, 0);
         tumble_body b = shoot(w, &r, k, up * 20, up * -300);
         for (int i = 0; i < 30; i++) {
-            tumble_step(w);
-            tumble_vec3 p = tumble_position(w, b);
+            tumble_world_step(w);
+            tumble_vec3 p = tumble_body_position(w, b);
             if (fabs(p.x) > 9.5 || fabs(p.z) > 9.5) break;
             // (On a cell's diagonal the wave is up to 0.4 (1.1^2 + 0.9^2) 0.25^2 / 8
             // over its triangles.)
             double above = up * (p.y - wavy(p.x, p.z)) + (up < 0 ? 0 : 0.0063);
             ck_assert_msg(above > 0, "shot %d: %g m behind", k, -above);
         }
-        tumble_free(w);
+        tumble_world_free(w);
     }
 }
 END_TEST
@@ -296,19 +300,21 @@ START_TEST(what_is_shot_into_a_groove_stays_in_it)
     for (int k = 0; k < 100; k++) {
         tumble_world *w = empty();
         lay(w, (form)(k / 2 % 2), groove, 41, 8, 0);
-        tumble_body_options o = tumble_at(random_real(&r), 33, random_real(&r));
+        tumble_body_options o = tumble_body_at(random_real(&r), 33,
+                                               random_real(&r));
         o.velocity = tumble_v(20 * random_real(&r), -300, 40 * random_real(&r));
-        tumble_shape s = k % 2 ? tumble_sphere(w, 0.05, 1)
-                               : tumble_box(w, tumble_v(0.1, 0.05, 0.08), 1);
-        tumble_body b = tumble_add(w, s, o);
+        tumble_shape s = k % 2 ? tumble_shape_sphere(w, 0.05, 1)
+                               : tumble_shape_box(w, tumble_v(0.1, 0.05, 0.08),
+                                                  1);
+        tumble_body b = tumble_body_add(w, s, o);
         for (int i = 0; i < 30; i++) {
-            tumble_step(w);
-            tumble_vec3 p = tumble_position(w, b);
+            tumble_world_step(w);
+            tumble_vec3 p = tumble_body_position(w, b);
             if (fabs(p.x) > 3.9 || fabs(p.z) > 3.9) break;
             ck_assert_msg(p.y > groove(p.x, p.z) - 1e-9, "shot %d: %g m below",
                           k, groove(p.x, p.z) - p.y);
         }
-        tumble_free(w);
+        tumble_world_free(w);
     }
 }
 END_TEST
@@ -321,15 +327,15 @@ START_TEST(what_is_thrown_down_bounces)
     for (int as = 0; as < 2; as++) {
         tumble_options options = tumble_options_default();
         options.restitution = 0.8;
-        tumble_world *w = tumble_make(&options);
+        tumble_world *w = tumble_world_make(&options);
         lay(w, (form)as, flat, 81, 20, 0);
-        tumble_body_options o = tumble_at(0.1, 10.4, 0.2);
+        tumble_body_options o = tumble_body_at(0.1, 10.4, 0.2);
         o.velocity = tumble_v(0, -100, 0);
-        tumble_body b = tumble_add(w, tumble_sphere(w, 0.05, 1), o);
+        tumble_body b = tumble_body_add(w, tumble_shape_sphere(w, 0.05, 1), o);
         go(w, 8);
-        double v = tumble_velocity(w, b).y;
+        double v = tumble_body_velocity(w, b).y;
         ck_assert_msg(fabs(v / 80 - 1) < 0.02, "%g m/s up", v);
-        tumble_free(w);
+        tumble_world_free(w);
     }
 }
 END_TEST
@@ -340,14 +346,14 @@ START_TEST(from_behind_a_ball_is_stopped)
     for (int as = 0; as < 2; as++) {
         tumble_world *w = empty();
         lay(w, (form)as, wavy, 41, 20, 0);
-        tumble_body_options o = tumble_at(0.3, -5, 0.2);
+        tumble_body_options o = tumble_body_at(0.3, -5, 0.2);
         o.velocity = tumble_v(0, 20, 0);
-        tumble_body b = tumble_add(w, tumble_sphere(w, 0.2, 1), o);
+        tumble_body b = tumble_body_add(w, tumble_shape_sphere(w, 0.2, 1), o);
         for (int k = 0; k < 60; k++) {
-            tumble_step(w);
-            ck_assert(tumble_position(w, b).y < -0.5);
+            tumble_world_step(w);
+            ck_assert(tumble_body_position(w, b).y < -0.5);
         }
-        tumble_free(w);
+        tumble_world_free(w);
     }
 }
 END_TEST
@@ -358,13 +364,14 @@ START_TEST(what_begins_half_below_is_pushed_up)
     for (int k = 0; k < 4; k++) {
         tumble_world *w = empty();
         lay(w, (form)(k / 2), flat, 41, 10, 0);
-        tumble_shape s = k % 2 ? tumble_sphere(w, 0.25, 1)
-                               : tumble_box(w, tumble_v(0.5, 0.5, 0.5), 1);
-        tumble_body b = tumble_add(w, s, tumble_at(0.11, 0, 0.07));
+        tumble_shape s = k % 2 ? tumble_shape_sphere(w, 0.25, 1)
+                               : tumble_shape_box(w, tumble_v(0.5, 0.5, 0.5),
+                                                  1);
+        tumble_body b = tumble_body_add(w, s, tumble_body_at(0.11, 0, 0.07));
         go(w, 240);
-        ck_assert_msg(fabs(tumble_position(w, b).y - 0.25) < 1e-3, "%g m up",
-                      tumble_position(w, b).y);
-        tumble_free(w);
+        ck_assert_msg(fabs(tumble_body_position(w, b).y - 0.25) < 1e-3,
+                      "%g m up", tumble_body_position(w, b).y);
+        tumble_world_free(w);
     }
 }
 END_TEST
@@ -390,18 +397,20 @@ START_TEST(rays_meet_a_surface_where_it_is)
         tumble_vec3 from = tumble_v(x, 9, z), to = tumble_v(to_x, -9, to_z);
         double above = 9 - slope(x, z), below = slope(to_x, to_z) + 9;
         tumble_hit hit;
-        ck_assert(tumble_ray(w, from, to, ALL, &hit));
+        ck_assert(tumble_world_ray(w, from, to, ALL, &hit));
         ck_assert(fabs(hit.fraction - above / (above + below)) < 1e-9);
         ck_assert(is_same(hit.body, ground));
         ck_assert(fabs(hit.normal.y - 1 / length) < 1e-9);
-        ck_assert(tumble_nearest(w, from, 100, ALL, &hit));
+        ck_assert(tumble_world_nearest(w, from, 100, ALL, &hit));
         if (fabs(x) < 6 && fabs(z) < 6)
             ck_assert(fabs(hit.fraction - above / length) < 1e-9);
     }
-    ck_assert(!tumble_ray(w, tumble_v(11, 9, 0), tumble_v(11, -9, 0), ALL, NULL));
-    ck_assert(!tumble_ray(w, tumble_v(0, 9, 0), tumble_v(0, -9, 0), 2, NULL));
-    ck_assert(!tumble_nearest(w, tumble_v(0, 9, 0), 1, ALL, NULL));
-    tumble_free(w);
+    ck_assert(!tumble_world_ray(w, tumble_v(11, 9, 0), tumble_v(11, -9, 0), ALL,
+                                NULL));
+    ck_assert(!tumble_world_ray(w, tumble_v(0, 9, 0), tumble_v(0, -9, 0), 2,
+                                NULL));
+    ck_assert(!tumble_world_nearest(w, tumble_v(0, 9, 0), 1, ALL, NULL));
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -411,21 +420,21 @@ START_TEST(shapes_meet_a_surface_whether_or_not_something_is_near)
     for (int k = 0; k < 2; k++) {
         tumble_world *w = empty();
         tumble_body ground = lay(w, HEIGHTS, flat, 61, 20, 0), out[4];
-        tumble_shape s = tumble_sphere(w, 0.25, 1);
-        if (k) tumble_add(w, s, tumble_at(3.3, 0.25, 0));
+        tumble_shape s = tumble_shape_sphere(w, 0.25, 1);
+        if (k) tumble_body_add(w, s, tumble_body_at(3.3, 0.25, 0));
         go(w, 3);
         tumble_pose at = { { 3, 2, 0.1 }, { 0, 0, 0, 1 } };
         tumble_hit hit;
-        ck_assert(tumble_sweep(w, s, at, tumble_v(0, -4, 0), ALL, &hit));
+        ck_assert(tumble_world_sweep(w, s, at, tumble_v(0, -4, 0), ALL, &hit));
         ck_assert(k || fabs(hit.fraction - 1.75 / 4) < 1e-9);
         ck_assert(k || is_same(hit.body, ground));
         at.position.y = 0.2;
         at.position.x = -3;
-        ck_assert_int_eq(tumble_overlap(w, s, at, ALL, out, 4), 1);
+        ck_assert_int_eq(tumble_world_overlap(w, s, at, ALL, out, 4), 1);
         ck_assert(is_same(out[0], ground));
         at.position.y = 0.26;
-        ck_assert_int_eq(tumble_overlap(w, s, at, ALL, out, 4), 0);
-        tumble_free(w);
+        ck_assert_int_eq(tumble_world_overlap(w, s, at, ALL, out, 4), 0);
+        tumble_world_free(w);
     }
 }
 END_TEST
@@ -438,21 +447,22 @@ START_TEST(contacts_and_events_name_the_surface_once)
     tumble_contact c[8];
     int begins = 0;
     tumble_body ground = lay(w, MESH, flat, 101, 20, 0);
-    tumble_body_options o = tumble_at(-5, 0.1, 0.03);
+    tumble_body_options o = tumble_body_at(-5, 0.1, 0.03);
     o.velocity = tumble_v(5, 0, 0);
-    tumble_body b = tumble_add(w, tumble_box(w, tumble_v(0.4, 0.2, 0.4), 1), o);
+    tumble_body b =
+        tumble_body_add(w, tumble_shape_box(w, tumble_v(0.4, 0.2, 0.4), 1), o);
     for (int k = 0; k < 60; k++) {
-        tumble_step(w);
-        int n = tumble_events(w, e, 8);
+        tumble_world_step(w);
+        int n = tumble_world_events(w, e, 8);
         for (int i = 0; i < n; i++) begins += e[i].begins;
-        n = tumble_contacts(w, c, 8);
+        n = tumble_world_contacts(w, c, 8);
         for (int i = 0; i < n; i++)
             ck_assert((is_same(c[i].a, ground) || is_same(c[i].a, b))
                       && (is_same(c[i].b, ground) || is_same(c[i].b, b)));
     }
     ck_assert_int_eq(begins, 1);
-    ck_assert_int_eq(tumble_bodies(w, NULL, 0), 2);
-    tumble_free(w);
+    ck_assert_int_eq(tumble_world_bodies(w, NULL, 0), 2);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -468,30 +478,31 @@ START_TEST(a_thin_wall_is_met_where_it_is_from_both_sides)
     tumble_body b[2];
     for (int k = 0; k < 8; k++)
         p[k] = tumble_v(k & 1 ? 2.5 : -2.5, k & 2 ? 2 : 0, k & 4 ? 0.1 : -0.1);
-    tumble_add_mesh(w, p, 8, face, 12, 0, tumble_at(0, 0, 0));
-    tumble_add_plane(w, tumble_v(0, 1, 0), 0, -1);
-    tumble_shape s = tumble_box(w, tumble_v(0.5, 0.5, 0.5), 1);
+    tumble_body_add_mesh(w, p, 8, face, 12, 0, tumble_body_at(0, 0, 0));
+    tumble_plane_add(w, tumble_v(0, 1, 0), 0, -1);
+    tumble_shape s = tumble_shape_box(w, tumble_v(0.5, 0.5, 0.5), 1);
     for (int k = 0; k < 2; k++) {
-        tumble_body_options o = tumble_at(0.3, 0.25, k ? 1 : -1);
+        tumble_body_options o = tumble_body_at(0.3, 0.25, k ? 1 : -1);
         o.velocity = tumble_v(0, 0, k ? -4 : 4);
-        b[k] = tumble_add(w, s, o);
+        b[k] = tumble_body_add(w, s, o);
         tumble_hit hit;
-        ck_assert(tumble_ray(w, tumble_v(1, 1, k ? 3 : -3), tumble_v(1, 1, 0),
-                             ALL, &hit));
+        ck_assert(tumble_world_ray(w, tumble_v(1, 1, k ? 3 : -3),
+                                   tumble_v(1, 1, 0), ALL, &hit));
         ck_assert(fabs(fabs(hit.point.z) - 0.1) < 1e-9);
     }
-    tumble_body top = tumble_add(w, tumble_sphere(w, 0.2, 1),
-                                 tumble_at(-1, 2.2, 0));
+    tumble_body top = tumble_body_add(w, tumble_shape_sphere(w, 0.2, 1),
+                                      tumble_body_at(-1, 2.2, 0));
     double nearest[2] = { 9, 9 };
     for (int i = 0; i < 120; i++) {
-        tumble_step(w);
+        tumble_world_step(w);
         for (int k = 0; k < 2; k++)
-            nearest[k] = fmin(nearest[k], fabs(tumble_position(w, b[k]).z));
+            nearest[k] = fmin(nearest[k],
+                              fabs(tumble_body_position(w, b[k]).z));
     }
     for (int k = 0; k < 2; k++)
         ck_assert_msg(fabs(nearest[k] - 0.35) < 0.005, "%g m", nearest[k]);
-    ck_assert(fabs(tumble_position(w, top).y - 2.2) < 1e-3);
-    tumble_free(w);
+    ck_assert(fabs(tumble_body_position(w, top).y - 2.2) < 1e-3);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -513,25 +524,25 @@ START_TEST(any_order_and_a_copy_give_the_same_bits)
     pour(w, b);
     lay(other, MESH, bowl, 81, 20, 0);
     pour(other, b);
-    tumble_run_on(other, backwards, NULL);
+    tumble_world_run_on(other, backwards, NULL);
     go(w, 80);
     go(other, 80);
-    size_t size = tumble_save(w, NULL, 0);
+    size_t size = tumble_world_save(w, NULL, 0);
     void *bytes = malloc(size);
-    tumble_save(w, bytes, size);
-    tumble_world *copy = tumble_load(bytes, size);
+    tumble_world_save(w, bytes, size);
+    tumble_world *copy = tumble_world_load(bytes, size);
     ck_assert_ptr_nonnull(copy);
     free(bytes);
     for (int k = 0; k < 200; k++) {
-        tumble_step(w);
-        tumble_step(other);
-        tumble_step(copy);
-        ck_assert_uint_eq(tumble_hash(w), tumble_hash(copy));
+        tumble_world_step(w);
+        tumble_world_step(other);
+        tumble_world_step(copy);
+        ck_assert_uint_eq(tumble_world_hash(w), tumble_world_hash(copy));
     }
-    ck_assert_uint_eq(tumble_hash(w), tumble_hash(other));
-    tumble_free(w);
-    tumble_free(other);
-    tumble_free(copy);
+    ck_assert_uint_eq(tumble_world_hash(w), tumble_world_hash(other));
+    tumble_world_free(w);
+    tumble_world_free(other);
+    tumble_world_free(copy);
 }
 END_TEST
 
@@ -539,26 +550,28 @@ END_TEST
 START_TEST(a_surface_that_is_removed_lets_its_load_fall)
 {
     tumble_world *w = empty();
-    tumble_shape s = tumble_box(w, tumble_v(1, 1, 1), 1);
-    tumble_body b = tumble_add(w, s, tumble_at(0, 0.5, 0));
+    tumble_shape s = tumble_shape_box(w, tumble_v(1, 1, 1), 1);
+    tumble_body b = tumble_body_add(w, s, tumble_body_at(0, 0.5, 0));
     size_t size = 0;
     for (int k = 0; k < 20; k++) {
         tumble_body ground = lay(w, (form)(k % 2), flat, 21, 20, 0);
         tumble_body second = lay(w, MESH, flat, 5, 2, 0);
         tumble_pose at = { { 0, 0.5, 0 }, { 0, 0, 0, 1 } };
-        tumble_set_pose(w, b, at);
+        tumble_body_set_pose(w, b, at);
         go(w, 120);
-        ck_assert(!tumble_is_awake(w, b));
-        ck_assert(tumble_remove(w, ground) && tumble_remove(w, second));
-        ck_assert(!tumble_has(w, ground) && !tumble_remove(w, ground));
-        tumble_forget_failure(w);
+        ck_assert(!tumble_body_is_awake(w, b));
+        ck_assert(tumble_body_remove(w, ground)
+                  && tumble_body_remove(w, second));
+        ck_assert(!tumble_body_exists(w, ground)
+                  && !tumble_body_remove(w, ground));
+        tumble_world_forget_failure(w);
         go(w, 30);
-        ck_assert(tumble_position(w, b).y < 0);
-        if (k == 4) size = tumble_save(w, NULL, 0);
-        if (k > 4) ck_assert_uint_le(tumble_save(w, NULL, 0), size);
+        ck_assert(tumble_body_position(w, b).y < 0);
+        if (k == 4) size = tumble_world_save(w, NULL, 0);
+        if (k > 4) ck_assert_uint_le(tumble_world_save(w, NULL, 0), size);
     }
-    ck_assert(tumble_remove(w, b) && tumble_drop_shape(w, s));
-    tumble_free(w);
+    ck_assert(tumble_body_remove(w, b) && tumble_shape_remove(w, s));
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -568,18 +581,18 @@ START_TEST(a_step_knows_only_what_is_near)
 {
     tumble_world *w = empty();
     lay(w, HEIGHTS, flat, 224, 223, 0);
-    tumble_body_options o = tumble_at(-100, 0.3, 0.2);
+    tumble_body_options o = tumble_body_at(-100, 0.3, 0.2);
     o.velocity = tumble_v(30, 0, 0);
-    tumble_body b = tumble_add(w, tumble_sphere(w, 0.3, 1), o);
+    tumble_body b = tumble_body_add(w, tumble_shape_sphere(w, 0.3, 1), o);
     size_t size = 0;
     for (int k = 0; k < 360; k++) {
-        tumble_step(w);
-        ck_assert_int_le(tumble_last_step(w).pairs, 40);
-        if (k == 120) size = tumble_save(w, NULL, 0);
+        tumble_world_step(w);
+        ck_assert_int_le(tumble_world_last_step(w).pairs, 40);
+        if (k == 120) size = tumble_world_save(w, NULL, 0);
     }
-    ck_assert(tumble_position(w, b).x > 20);
-    ck_assert((double)tumble_save(w, NULL, 0) < 1.1 * (double)size);
-    tumble_free(w);
+    ck_assert(tumble_body_position(w, b).x > 20);
+    ck_assert((double)tumble_world_save(w, NULL, 0) < 1.1 * (double)size);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -589,20 +602,21 @@ START_TEST(a_sleeper_goes_on_touching_what_it_lies_on)
     tumble_world *w = empty();
     tumble_event e[8];
     lay(w, HEIGHTS, flat, 224, 223, 0);
-    tumble_body b = tumble_add(w, tumble_box(w, tumble_v(1, 1, 1), 1),
-                               tumble_at(0.2, 0.5, 5));
+    tumble_body b = tumble_body_add(w,
+                                    tumble_shape_box(w, tumble_v(1, 1, 1), 1),
+                                    tumble_body_at(0.2, 0.5, 5));
     go(w, 120);
-    ck_assert(!tumble_is_awake(w, b));
-    ck_assert_int_eq(tumble_events(w, e, 8), 1);
-    tumble_body_options o = tumble_at(-100, 0.3, 0.2);
+    ck_assert(!tumble_body_is_awake(w, b));
+    ck_assert_int_eq(tumble_world_events(w, e, 8), 1);
+    tumble_body_options o = tumble_body_at(-100, 0.3, 0.2);
     o.velocity = tumble_v(30, 0, 0);
-    tumble_body far = tumble_add(w, tumble_sphere(w, 0.3, 1), o);
+    tumble_body far = tumble_body_add(w, tumble_shape_sphere(w, 0.3, 1), o);
     go(w, 360);
-    ck_assert(!tumble_is_awake(w, b));
-    int n = tumble_events(w, e, 8);
+    ck_assert(!tumble_body_is_awake(w, b));
+    int n = tumble_world_events(w, e, 8);
     for (int k = 0; k < n; k++)
         ck_assert(is_same(e[k].a, far) || is_same(e[k].b, far));
-    tumble_free(w);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -613,17 +627,18 @@ START_TEST(a_surface_is_drawn_as_it_was_given)
     tumble_body b = lay(w, MESH, wavy, 11, 10, 0.5);
     tumble_vec3 at[121];
     int triangles;
-    ck_assert_int_eq(tumble_vertices(w, b, at, 121), 121);
-    const int *v = tumble_triangles(w, b, &triangles);
+    ck_assert_int_eq(tumble_body_vertices(w, b, at, 121), 121);
+    const int *v = tumble_body_triangles(w, b, &triangles);
     ck_assert_int_eq(triangles, 200);
     ck_assert(v[0] == 0 && v[1] == 11 && v[2] == 12);
     double x = at[0].x * cos(0.5) + at[0].y * sin(0.5);
     double y = at[0].y * cos(0.5) - at[0].x * sin(0.5);
     ck_assert(fabs(x + 5) < 1e-12 && fabs(y - wavy(-5, -5)) < 1e-12);
-    tumble_vec3 p = tumble_vertex(w, b, 0);
+    tumble_vec3 p = tumble_body_vertex(w, b, 0);
     ck_assert(p.x == at[0].x && p.y == at[0].y && p.z == at[0].z);
-    ck_assert(tumble_position(w, b).x == 0 && tumble_position(w, b).y == 0);
-    tumble_free(w);
+    ck_assert(tumble_body_position(w, b).x == 0
+              && tumble_body_position(w, b).y == 0);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -632,17 +647,17 @@ START_TEST(a_surface_meets_only_what_its_mask_says)
 {
     tumble_world *w = empty();
     tumble_body ground = lay(w, HEIGHTS, flat, 21, 20, 0);
-    ck_assert(tumble_set_filter(w, ground, 2, ALL));
-    tumble_shape s = tumble_sphere(w, 0.5, 1);
-    tumble_body_options o = tumble_at(-5, 0.5, 0);
-    tumble_body lies = tumble_add(w, s, o);
-    o = tumble_at(-5, 0.5, 1.2);
+    ck_assert(tumble_body_set_filter(w, ground, 2, ALL));
+    tumble_shape s = tumble_shape_sphere(w, 0.5, 1);
+    tumble_body_options o = tumble_body_at(-5, 0.5, 0);
+    tumble_body lies = tumble_body_add(w, s, o);
+    o = tumble_body_at(-5, 0.5, 1.2);
     o.mask = 1;
-    tumble_body falls = tumble_add(w, s, o);
+    tumble_body falls = tumble_body_add(w, s, o);
     go(w, 60);
-    ck_assert(fabs(tumble_position(w, lies).y - 0.5) < 1e-3);
-    ck_assert(tumble_position(w, falls).y < -3);
-    tumble_free(w);
+    ck_assert(fabs(tumble_body_position(w, lies).y - 0.5) < 1e-3);
+    ck_assert(tumble_body_position(w, falls).y < -3);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -651,37 +666,43 @@ END_TEST
 static void is_refused(tumble_world *w, tumble_body b, const char *why)
 {
     ck_assert_uint_eq(b.generation, 0);
-    ck_assert_ptr_nonnull(tumble_failure(w));
-    ck_assert_msg(strstr(tumble_failure(w), why) != NULL, "\"%s\" is not \"%s\"",
-                  tumble_failure(w), why);
-    tumble_forget_failure(w);
-    ck_assert_int_eq(tumble_bodies(w, NULL, 0), 0);
+    ck_assert_ptr_nonnull(tumble_world_failure(w));
+    ck_assert_msg(strstr(tumble_world_failure(w), why) != NULL,
+                  "\"%s\" is not \"%s\"", tumble_world_failure(w), why);
+    tumble_world_forget_failure(w);
+    ck_assert_int_eq(tumble_world_bodies(w, NULL, 0), 0);
 }
 
 // Rejects: a surface of which nothing is known, or half of which is there.
 START_TEST(a_bad_surface_is_refused_in_a_sentence)
 {
     tumble_world *w = empty();
-    tumble_body_options o = tumble_at(0, 0, 0), none = o;
+    tumble_body_options o = tumble_body_at(0, 0, 0), none = o;
     tumble_vec3 p[4] = { { 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }, { 0, 0, 2 } };
     tumble_vec3 lost[3] = { { 0, 0, 0 }, { 0, 0, 1 }, { (double)NAN, 0, 0 } };
     int v[3] = { 0, 1, 2 }, far[3] = { 0, 1, 4 }, line[3] = { 0, 1, 3 };
     none.group = 0;
-    is_refused(w, tumble_add_mesh(w, p, 4, far, 1, 0, o), "names point 4");
-    is_refused(w, tumble_add_mesh(w, lost, 3, v, 1, 0, o), "point 2");
-    is_refused(w, tumble_add_mesh(w, p, 4, line, 1, 0, o), "no triangle");
-    is_refused(w, tumble_add_mesh(w, p, 4, v, 0, 0, o), "0 triangles is none");
-    is_refused(w, tumble_add_mesh(w, NULL, 4, v, 1, 0, o), "is none");
-    is_refused(w, tumble_add_mesh(w, p, 4, v, 1, -1, o), "thickness");
-    is_refused(w, tumble_add_mesh(w, p, 4, v, 1, 1e-9, o), "too thin");
-    is_refused(w, tumble_add_mesh(w, p, 4, v, 1, 0, none), "group 0");
+    is_refused(w, tumble_body_add_mesh(w, p, 4, far, 1, 0, o), "names point 4");
+    is_refused(w, tumble_body_add_mesh(w, lost, 3, v, 1, 0, o), "point 2");
+    is_refused(w, tumble_body_add_mesh(w, p, 4, line, 1, 0, o), "no triangle");
+    is_refused(w, tumble_body_add_mesh(w, p, 4, v, 0, 0, o),
+               "0 triangles is none");
+    is_refused(w, tumble_body_add_mesh(w, NULL, 4, v, 1, 0, o), "is none");
+    is_refused(w, tumble_body_add_mesh(w, p, 4, v, 1, -1, o), "thickness");
+    is_refused(w, tumble_body_add_mesh(w, p, 4, v, 1, 1e-9, o), "too thin");
+    is_refused(w, tumble_body_add_mesh(w, p, 4, v, 1, 0, none), "group 0");
     double height[4] = { 0, 0, 0, (double)NAN };
-    is_refused(w, tumble_add_heights(w, height, 2, 2, 1, 1, 0, o), "point 3");
-    is_refused(w, tumble_add_heights(w, height, 1, 2, 1, 1, 0, o), "1 x 2");
-    is_refused(w, tumble_add_heights(w, height, 2, 2, 0, 1, 0, o), "0 m wide");
-    is_refused(w, tumble_add_heights(w, NULL, 2, 2, 1, 1, 0, o), "is none");
-    tumble_free(w);
-    ck_assert_uint_eq(tumble_add_mesh(NULL, p, 4, v, 1, 0, o).generation, 0);
+    is_refused(w, tumble_body_add_heights(w, height, 2, 2, 1, 1, 0, o),
+               "point 3");
+    is_refused(w, tumble_body_add_heights(w, height, 1, 2, 1, 1, 0, o),
+               "1 x 2");
+    is_refused(w, tumble_body_add_heights(w, height, 2, 2, 0, 1, 0, o),
+               "0 m wide");
+    is_refused(w, tumble_body_add_heights(w, NULL, 2, 2, 1, 1, 0, o),
+               "is none");
+    tumble_world_free(w);
+    ck_assert_uint_eq(tumble_body_add_mesh(NULL, p, 4, v, 1, 0, o).generation,
+                      0);
 }
 END_TEST
 
@@ -691,21 +712,22 @@ START_TEST(without_memory_there_is_no_surface)
     double height[9] = { 0 };
     long before = blocks_held;
     bool is_said = true, is_nothing = true;
-    tumble_world *w = tumble_make(NULL);
+    tumble_world *w = tumble_world_make(NULL);
     tumble_body b = { 0, 0 };
     int tries = 0;
     for (; tries < 200 && b.generation == 0; tries++) {
         mallocs_left = tries;
-        b = tumble_add_heights(w, height, 3, 3, 4, 4, 0, tumble_at(0, 0, 0));
+        b = tumble_body_add_heights(w, height, 3, 3, 4, 4, 0,
+                                    tumble_body_at(0, 0, 0));
         mallocs_left = INT_MAX;
-        const char *why = tumble_failure(w);
+        const char *why = tumble_world_failure(w);
         if (b.generation != 0) break;
         is_said &= why && strstr(why, "memory") != NULL;
-        is_nothing &= tumble_bodies(w, NULL, 0) == 0;
-        tumble_forget_failure(w);
+        is_nothing &= tumble_world_bodies(w, NULL, 0) == 0;
+        tumble_world_forget_failure(w);
     }
-    bool is_gone = tumble_remove(w, b);
-    tumble_free(w);
+    bool is_gone = tumble_body_remove(w, b);
+    tumble_world_free(w);
     long after = blocks_held;
     ck_assert(is_said && is_nothing && is_gone && tries > 20);
     ck_assert(after == before);
@@ -719,16 +741,16 @@ START_TEST(pieces_that_found_no_memory_come_later)
     for (int k = 0; k < 150; k++) {
         tumble_world *w = empty();
         lay(w, HEIGHTS, flat, 21, 20, 0);
-        tumble_body b = tumble_add(w, tumble_sphere(w, 0.5, 1),
-                                   tumble_at(4.1, 0.5, 3.3));
+        tumble_body b = tumble_body_add(w, tumble_shape_sphere(w, 0.5, 1),
+                                        tumble_body_at(4.1, 0.5, 3.3));
         if (k > 0) mallocs_left = 2 * k;
-        tumble_step(w);
+        tumble_world_step(w);
         mallocs_left = INT_MAX;
         go(w, 10);
-        if (k == 0) pairs = tumble_last_step(w).pairs;
-        ck_assert_int_eq(tumble_last_step(w).pairs, pairs);
-        ck_assert(fabs(tumble_position(w, b).y - 0.5) < 5e-3);
-        tumble_free(w);
+        if (k == 0) pairs = tumble_world_last_step(w).pairs;
+        ck_assert_int_eq(tumble_world_last_step(w).pairs, pairs);
+        ck_assert(fabs(tumble_body_position(w, b).y - 0.5) < 5e-3);
+        tumble_world_free(w);
     }
 }
 END_TEST
@@ -739,13 +761,13 @@ START_TEST(a_triangle_without_an_area_is_left_out)
     tumble_world *w = empty();
     tumble_vec3 p[4] = { { -2, 0, -2 }, { -2, 0, 2 }, { 2, 0, 2 }, { 2, 0, -2 } };
     int v[12] = { 0, 1, 2, 0, 0, 2, 0, 2, 0, 0, 2, 3 };
-    tumble_add_mesh(w, p, 4, v, 4, 0, tumble_at(0, 0, 0));
-    tumble_body b = tumble_add(w, tumble_sphere(w, 0.5, 1),
-                               tumble_at(0.01, 0.6, 0));
+    tumble_body_add_mesh(w, p, 4, v, 4, 0, tumble_body_at(0, 0, 0));
+    tumble_body b = tumble_body_add(w, tumble_shape_sphere(w, 0.5, 1),
+                                    tumble_body_at(0.01, 0.6, 0));
     go(w, 90);
-    ck_assert_ptr_null(tumble_failure(w));
-    ck_assert(fabs(tumble_position(w, b).y - 0.5) < 1e-3);
-    tumble_free(w);
+    ck_assert_ptr_null(tumble_world_failure(w));
+    ck_assert(fabs(tumble_body_position(w, b).y - 0.5) < 1e-3);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -755,17 +777,19 @@ START_TEST(a_surface_stays_where_it_is)
     tumble_world *w = empty();
     tumble_body ground = lay(w, HEIGHTS, flat, 21, 20, 0);
     tumble_pose at = { { 0, 5, 0 }, { 0, 0, 0, 1 } };
-    ck_assert(!tumble_set_pose(w, ground, at));
-    ck_assert(strstr(tumble_failure(w), "is a surface") != NULL);
-    tumble_forget_failure(w);
-    ck_assert(!tumble_push(w, ground, tumble_v(1, 0, 0), tumble_v(0, 0, 0)));
-    tumble_forget_failure(w);
-    tumble_body sign = tumble_add(w, tumble_box(w, tumble_v(1, 1, 1), 1),
-                                  tumble_at(0, 5, 0));
-    tumble_hinge(w, ground, sign, tumble_v(0, 6, 0), tumble_v(0, 0, 1));
+    ck_assert(!tumble_body_set_pose(w, ground, at));
+    ck_assert(strstr(tumble_world_failure(w), "is a surface") != NULL);
+    tumble_world_forget_failure(w);
+    ck_assert(!tumble_body_push(w, ground, tumble_v(1, 0, 0),
+                                tumble_v(0, 0, 0)));
+    tumble_world_forget_failure(w);
+    tumble_body sign =
+        tumble_body_add(w, tumble_shape_box(w, tumble_v(1, 1, 1), 1),
+                        tumble_body_at(0, 5, 0));
+    tumble_joint_hinge(w, ground, sign, tumble_v(0, 6, 0), tumble_v(0, 0, 1));
     go(w, 120);
-    ck_assert(fabs(tumble_position(w, sign).y - 5) < 1e-3);
-    tumble_free(w);
+    ck_assert(fabs(tumble_body_position(w, sign).y - 5) < 1e-3);
+    tumble_world_free(w);
 }
 END_TEST
 

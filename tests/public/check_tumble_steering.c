@@ -29,15 +29,15 @@ static void near_vec3(tumble_vec3 got, double x, double y, double z,
 
 static void expect_failure(tumble_world *w, const char *part)
 {
-    const char *why = tumble_failure(w);
+    const char *why = tumble_world_failure(w);
     ck_assert_ptr_nonnull(why);
     ck_assert_msg(strstr(why, part) != NULL, "said: %s\nwanted: %s", why, part);
-    tumble_forget_failure(w);
+    tumble_world_forget_failure(w);
 }
 
 static void expect_fine(const tumble_world *w)
 {
-    const char *why = tumble_failure(w);
+    const char *why = tumble_world_failure(w);
     ck_assert_msg(why == NULL, "failed: %s", why);
 }
 
@@ -45,37 +45,37 @@ static tumble_world *weightless(void)
 {
     tumble_options o = tumble_options_default();
     o.gravity = tumble_v(0, 0, 0);
-    tumble_world *w = tumble_make(&o);
+    tumble_world *w = tumble_world_make(&o);
     ck_assert_ptr_nonnull(w);
     return w;
 }
 
 static tumble_world *with_floor(void)
 {
-    tumble_world *w = tumble_make(NULL);
+    tumble_world *w = tumble_world_make(NULL);
     ck_assert_ptr_nonnull(w);
-    ck_assert(tumble_add_plane(w, tumble_v(0, 1, 0), 0, -1).generation > 0);
+    ck_assert(tumble_plane_add(w, tumble_v(0, 1, 0), 0, -1).generation > 0);
     return w;
 }
 
 static void run(tumble_world *w, double seconds)
 {
     int steps = (int)(seconds * 60 + 0.5);
-    for (int k = 0; k < steps; k++) tumble_step(w);
+    for (int k = 0; k < steps; k++) tumble_world_step(w);
 }
 
 static tumble_body add_box(tumble_world *w, double x, double y, double z)
 {
-    return tumble_add(w, tumble_box(w, tumble_v(1, 1, 1), 2),
-                      tumble_at(x, y, z));
+    return tumble_body_add(w, tumble_shape_box(w, tumble_v(1, 1, 1), 2),
+                           tumble_body_at(x, y, z));
 }
 
 static tumble_body add_kind(tumble_world *w, tumble_kind kind, double x,
                             double y, double z)
 {
-    tumble_body_options o = tumble_at(x, y, z);
+    tumble_body_options o = tumble_body_at(x, y, z);
     o.kind = kind;
-    return tumble_add(w, tumble_box(w, tumble_v(1, 1, 1), 2), o);
+    return tumble_body_add(w, tumble_shape_box(w, tumble_v(1, 1, 1), 2), o);
 }
 
 static bool is_same(tumble_body a, tumble_body b)
@@ -86,12 +86,12 @@ static bool is_same(tumble_body a, tumble_body b)
 // A world that was saved and loaded.
 static tumble_world *copied(const tumble_world *w)
 {
-    size_t size = tumble_save(w, NULL, 0);
+    size_t size = tumble_world_save(w, NULL, 0);
     void *bytes = malloc(size);
     ck_assert_ptr_nonnull(bytes);
-    ck_assert_uint_eq(tumble_save(w, bytes, size), size);
-    tumble_world *copy = tumble_load(bytes, size);
-    ck_assert_msg(copy != NULL, "%s", tumble_failure(NULL));
+    ck_assert_uint_eq(tumble_world_save(w, bytes, size), size);
+    tumble_world *copy = tumble_world_load(bytes, size);
+    ck_assert_msg(copy != NULL, "%s", tumble_world_failure(NULL));
     free(bytes);
     return copy;
 }
@@ -101,11 +101,11 @@ static void goes_on_alike(tumble_world *w, int steps)
 {
     tumble_world *copy = copied(w);
     for (int k = 0; k < steps; k++) {
-        tumble_step(w);
-        tumble_step(copy);
-        ck_assert_uint_eq(tumble_hash(w), tumble_hash(copy));
+        tumble_world_step(w);
+        tumble_world_step(copy);
+        ck_assert_uint_eq(tumble_world_hash(w), tumble_world_hash(copy));
     }
-    tumble_free(copy);
+    tumble_world_free(copy);
 }
 
 // --- Many at once ------------------------------------------------------------
@@ -116,30 +116,31 @@ START_TEST(many_poses_are_those_of_each)
     tumble_body b[N + 1];
     for (int k = 0; k < N; k++) b[k] = add_box(w, k % 3, 1 + 1.1 * k, k % 2);
     b[N] = (tumble_body){ 0, 0 };
-    tumble_remove(w, b[7]);
+    tumble_body_remove(w, b[7]);
     run(w, 0.5);
     tumble_pose pose[N + 1];
     tumble_vec3 velocity[N + 1], spin[N + 1];
-    tumble_get_poses(w, b, N + 1, pose);
-    tumble_get_velocities(w, b, N + 1, velocity, NULL);
-    tumble_get_velocities(w, b, N + 1, NULL, spin);
+    tumble_body_poses(w, b, N + 1, pose);
+    tumble_body_velocities(w, b, N + 1, velocity, NULL);
+    tumble_body_velocities(w, b, N + 1, NULL, spin);
     for (int k = 0; k <= N; k++) {
-        tumble_pose p = tumble_get_pose(w, b[k]);
-        tumble_vec3 v = tumble_velocity(w, b[k]), s = tumble_spin(w, b[k]);
+        tumble_pose p = tumble_body_pose(w, b[k]);
+        tumble_vec3 v = tumble_body_velocity(w, b[k]),
+                    s = tumble_body_spin(w, b[k]);
         ck_assert(memcmp(&p, &pose[k], sizeof p) == 0);
         ck_assert(memcmp(&v, &velocity[k], sizeof v) == 0);
         ck_assert(memcmp(&s, &spin[k], sizeof s) == 0);
         ck_assert((pose[k].rotation.w == 0) == (k == 7 || k == N));
     }
     expect_fine(w);
-    tumble_free(w);
+    tumble_world_free(w);
 }
 END_TEST
 
 static bool has_moved(const tumble_world *w, tumble_body b)
 {
     tumble_body moved[64];
-    int n = tumble_moved(w, moved, 64);
+    int n = tumble_world_moved(w, moved, 64);
     ck_assert_int_le(n, 64);
     bool found = false;
     for (int k = 0; k < n; k++) found |= is_same(moved[k], b);
@@ -158,20 +159,21 @@ START_TEST(what_is_not_said_to_have_moved_has_not)
         b[k] = add_box(w, 3 * (k % 7), 0.5 + 1.001 * (k / 7), 0);
     b[N - 3] = add_kind(w, TUMBLE_STATIC, 0, 0, 20);
     b[N - 2] = add_kind(w, TUMBLE_KINEMATIC, 0, 0, 40);
-    b[N - 1] = tumble_add(w, tumble_rope(w, 8, 2, 1), tumble_at(0, 1, 60));
-    ck_assert_int_eq(tumble_moved(w, NULL, 0), 0);
+    b[N - 1] = tumble_body_add(w, tumble_shape_rope(w, 8, 2, 1),
+                               tumble_body_at(0, 1, 60));
+    ck_assert_int_eq(tumble_world_moved(w, NULL, 0), 0);
     for (int step = 0; step < 600; step++) {
         tumble_vec3 was[N], is[N];
         if (step == 300)
-            tumble_set_velocity(w, b[N - 2], tumble_v(0, 0, 1),
-                                tumble_v(0, 0, 0));
-        for (int k = 0; k < N; k++) was[k] = tumble_vertex(w, b[k], 0);
-        tumble_step(w);
-        int n = tumble_moved(w, NULL, 0);
+            tumble_body_set_velocity(w, b[N - 2], tumble_v(0, 0, 1),
+                                     tumble_v(0, 0, 0));
+        for (int k = 0; k < N; k++) was[k] = tumble_body_vertex(w, b[k], 0);
+        tumble_world_step(w);
+        int n = tumble_world_moved(w, NULL, 0);
         most = n > most ? n : most;
         least = n < least ? n : least;
         for (int k = 0; k < N; k++) {
-            is[k] = tumble_vertex(w, b[k], 0);
+            is[k] = tumble_body_vertex(w, b[k], 0);
             if (!has_moved(w, b[k]))
                 ck_assert(memcmp(&is[k], &was[k], sizeof *is) == 0);
         }
@@ -180,8 +182,8 @@ START_TEST(what_is_not_said_to_have_moved_has_not)
     }
     ck_assert_int_eq(most, N - 2);
     ck_assert_int_eq(least, 0);
-    ck_assert_int_eq(tumble_moved(w, NULL, 0), 1);
-    tumble_free(w);
+    ck_assert_int_eq(tumble_world_moved(w, NULL, 0), 1);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -192,22 +194,23 @@ END_TEST
 // quarter, and twice the angle under which the hinge sees that tenth.
 static double place_after(bool asked, bool given_back, tumble_world **left)
 {
-    tumble_world *w = tumble_make(NULL);
-    tumble_body_options o = tumble_at(0, -1, 0);
+    tumble_world *w = tumble_world_make(NULL);
+    tumble_body_options o = tumble_body_at(0, -1, 0);
     o.kind = TUMBLE_STATIC;
-    tumble_body wall = tumble_add(w, tumble_box(w, tumble_v(1, 3, 1), 1), o);
+    tumble_body wall =
+        tumble_body_add(w, tumble_shape_box(w, tumble_v(1, 3, 1), 1), o);
     tumble_body door = add_box(w, 1.2, 1.2, 0);
-    tumble_joint j = tumble_hinge(w, wall, door, tumble_v(0.6, 0.6, 0),
-                                  tumble_v(0, 0, 1));
-    ck_assert(!tumble_may_touch(w, j));
-    if (asked) ck_assert(tumble_set_touching(w, j, true));
-    ck_assert_int_eq(tumble_may_touch(w, j), asked);
-    tumble_push(w, door, tumble_v(0.5, 0, 0), tumble_v(1.2, 1.7, 0));
+    tumble_joint j = tumble_joint_hinge(w, wall, door, tumble_v(0.6, 0.6, 0),
+                                        tumble_v(0, 0, 1));
+    ck_assert(!tumble_joint_may_touch(w, j));
+    if (asked) ck_assert(tumble_joint_set_touching(w, j, true));
+    ck_assert_int_eq(tumble_joint_may_touch(w, j), asked);
+    tumble_body_push(w, door, tumble_v(0.5, 0, 0), tumble_v(1.2, 1.7, 0));
     run(w, 1);
-    if (given_back) ck_assert(tumble_set_touching(w, j, false));
+    if (given_back) ck_assert(tumble_joint_set_touching(w, j, false));
     double least = 0;
     for (int k = 0; k < 240; k++) {
-        tumble_step(w);
+        tumble_world_step(w);
         double place = tumble_joint_place(w, j);
         least = place < least ? place : least;
     }
@@ -222,14 +225,14 @@ START_TEST(a_door_stops_at_its_wall_if_it_may_touch_it)
     tumble_world *w;
     near(place_after(true, false, &w), -quarter - 2 * tenth, 2e-3);
     goes_on_alike(w, 30);
-    tumble_free(w);
+    tumble_world_free(w);
     ck_assert(place_after(false, false, &w) < -2.2);
-    tumble_free(w);
+    tumble_world_free(w);
     ck_assert(place_after(true, true, &w) < -2.2);
-    ck_assert(!tumble_set_touching(w, (tumble_joint){ 9, 1 }, true));
+    ck_assert(!tumble_joint_set_touching(w, (tumble_joint){ 9, 1 }, true));
     expect_failure(w, "joint 9 is gone");
-    ck_assert(!tumble_may_touch(w, (tumble_joint){ 9, 1 }));
-    tumble_free(w);
+    ck_assert(!tumble_joint_may_touch(w, (tumble_joint){ 9, 1 }));
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -238,8 +241,8 @@ START_TEST(a_body_made_of_anothers_options_is_its_twin)
 {
     tumble_world *w = weightless(), *other = weightless();
     int mine = 7;
-    tumble_body_options o = tumble_at(1, 2, 3);
-    o.pose.rotation = tumble_turn(tumble_v(1, 2, 3), 0.7);
+    tumble_body_options o = tumble_body_at(1, 2, 3);
+    o.pose.rotation = tumble_quat_turn(tumble_v(1, 2, 3), 0.7);
     o.velocity = tumble_v(0.1, 0.2, 0.3);
     o.spin = tumble_v(-1, 0.5, 0.25);
     o.friction = 0.3;
@@ -249,9 +252,9 @@ START_TEST(a_body_made_of_anothers_options_is_its_twin)
     o.group = 6;
     o.mask = 9;
     o.user = &mine;
-    tumble_shape s = tumble_box(w, tumble_v(1, 2, 3), 4);
-    tumble_body b = tumble_add(w, s, o);
-    tumble_body_options got = tumble_get_options(w, b);
+    tumble_shape s = tumble_shape_box(w, tumble_v(1, 2, 3), 4);
+    tumble_body b = tumble_body_add(w, s, o);
+    tumble_body_options got = tumble_body_get_options(w, b);
     ck_assert_int_eq(got.kind, TUMBLE_DYNAMIC);
     near_vec3(got.pose.position, 1, 2, 3, fine);
     near(got.pose.rotation.w, o.pose.rotation.w, fine);
@@ -260,28 +263,30 @@ START_TEST(a_body_made_of_anothers_options_is_its_twin)
     ck_assert(got.friction == 0.3 && got.restitution == 0.4);
     ck_assert(got.damping == 0.01 && got.spin_damping == 0.02);
     ck_assert(got.group == 6 && got.mask == 9 && got.user == &mine);
-    tumble_shape of = tumble_shape_of(w, b);
+    tumble_shape of = tumble_body_shape(w, b);
     ck_assert(of.place == s.place && of.generation == s.generation);
-    tumble_body twin = tumble_add(other, tumble_box(other, tumble_v(1, 2, 3), 4),
-                                  got);
+    tumble_body twin =
+        tumble_body_add(other, tumble_shape_box(other, tumble_v(1, 2, 3), 4),
+                        got);
     run(w, 1);
     run(other, 1);
-    tumble_vec3 x = tumble_vertex(w, b, 3), y = tumble_vertex(other, twin, 3);
+    tumble_vec3 x = tumble_body_vertex(w, b, 3),
+                y = tumble_body_vertex(other, twin, 3);
     near_vec3(y, x.x, x.y, x.z, 1e-12);
-    tumble_set_material(w, b, 0.6, 0.1);
-    tumble_set_damping(w, b, 1, 2);
-    tumble_set_filter(w, b, 2, 5);
-    got = tumble_get_options(w, b);
+    tumble_body_set_material(w, b, 0.6, 0.1);
+    tumble_body_set_damping(w, b, 1, 2);
+    tumble_body_set_filter(w, b, 2, 5);
+    got = tumble_body_get_options(w, b);
     ck_assert(got.friction == 0.6 && got.restitution == 0.1);
     ck_assert(got.damping == 1 && got.spin_damping == 2);
     ck_assert(got.group == 2 && got.mask == 5);
-    tumble_remove(w, b);
+    tumble_body_remove(w, b);
     expect_fine(w);
-    ck_assert_uint_eq(tumble_shape_of(w, b).generation, 0);
-    tumble_add(w, s, tumble_get_options(w, b));
+    ck_assert_uint_eq(tumble_body_shape(w, b).generation, 0);
+    tumble_body_add(w, s, tumble_body_get_options(w, b));
     expect_failure(w, "group 0");
-    tumble_free(w);
-    tumble_free(other);
+    tumble_world_free(w);
+    tumble_world_free(other);
 }
 END_TEST
 
@@ -291,15 +296,15 @@ START_TEST(a_world_tells_its_options)
     o.dt = 0.01;
     o.substeps = 7;
     o.friction = 0.2;
-    tumble_world *w = tumble_make(&o);
-    tumble_set_gravity(w, tumble_v(0, 0, -2));
-    tumble_options got = tumble_get_world_options(w);
+    tumble_world *w = tumble_world_make(&o);
+    tumble_world_set_gravity(w, tumble_v(0, 0, -2));
+    tumble_options got = tumble_world_get_options(w);
     ck_assert(got.dt == 0.01 && got.substeps == 7 && got.friction == 0.2);
     ck_assert(got.gravity.z == -2 && got.gravity.y == 0 && !got.run);
-    ck_assert(tumble_get_world_options(NULL).dt == tumble_options_default().dt);
-    tumble_free(w);
+    ck_assert(tumble_world_get_options(NULL).dt == tumble_options_default().dt);
+    tumble_world_free(w);
     tumble_options none = { 0 };
-    ck_assert_ptr_null(tumble_make(&none));
+    ck_assert_ptr_null(tumble_world_make(&none));
     expect_failure(NULL, "dt is 0");
 }
 END_TEST
@@ -309,20 +314,20 @@ START_TEST(joints_are_listed_with_what_they_join)
     tumble_world *w = weightless();
     tumble_body a = add_box(w, 0, 0, 0), b = add_box(w, 3, 0, 0);
     tumble_joint j[2], got[2];
-    j[0] = tumble_ball(w, a, b, tumble_v(1.5, 0, 0));
-    j[1] = tumble_fix(w, b, tumble_ground(), tumble_v(3, 0, 0));
-    ck_assert_int_eq(tumble_joints(w, got, 2), 2);
+    j[0] = tumble_joint_ball(w, a, b, tumble_v(1.5, 0, 0));
+    j[1] = tumble_joint_fixed(w, b, tumble_body_ground(), tumble_v(3, 0, 0));
+    ck_assert_int_eq(tumble_world_joints(w, got, 2), 2);
     for (int k = 0; k < 2; k++)
         ck_assert(got[k].place == j[k].place
                   && got[k].generation == j[k].generation);
     ck_assert(is_same(tumble_joint_body(w, j[0], 0), a));
     ck_assert(is_same(tumble_joint_body(w, j[0], 1), b));
-    ck_assert(is_same(tumble_joint_body(w, j[1], 1), tumble_ground()));
-    tumble_unjoin(w, j[0]);
-    ck_assert_int_eq(tumble_joints(w, NULL, 0), 1);
+    ck_assert(is_same(tumble_joint_body(w, j[1], 1), tumble_body_ground()));
+    tumble_joint_remove(w, j[0]);
+    ck_assert_int_eq(tumble_world_joints(w, NULL, 0), 1);
     ck_assert_uint_eq(tumble_joint_body(w, j[0], 0).generation, 0);
     ck_assert_uint_eq(tumble_joint_body(w, j[1], 2).generation, 0);
-    tumble_free(w);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -332,18 +337,19 @@ START_TEST(a_point_of_a_body_is_where_the_body_is)
     tumble_world *w = weightless();
     tumble_body b = add_box(w, 1, 2, 3);
     const tumble_vec3 corner = tumble_v(0.5, -0.5, 0.5);
-    tumble_set_velocity(w, b, tumble_v(1, 0, 0), tumble_v(0.3, 2, -1));
+    tumble_body_set_velocity(w, b, tumble_v(1, 0, 0), tumble_v(0.3, 2, -1));
     run(w, 1);
-    tumble_pose p = tumble_get_pose(w, b);
-    tumble_vec3 at = tumble_to_world(p, corner), back = tumble_to_local(p, at);
+    tumble_pose p = tumble_body_pose(w, b);
+    tumble_vec3 at = tumble_pose_to_world(p, corner),
+                back = tumble_pose_to_local(p, at);
     near_vec3(back, 0.5, -0.5, 0.5, fine);
-    tumble_vec3 v = tumble_vertex(w, b, 5);     // bits 0 and 2: +x, +z
+    tumble_vec3 v = tumble_body_vertex(w, b, 5);   // bits 0 and 2: +x, +z
     near_vec3(v, at.x, at.y, at.z, fine);
-    tumble_quat quarter = tumble_turn(tumble_v(0, 0, 2), acos(0));
-    near_vec3(tumble_rotate(quarter, tumble_v(1, 2, 3)), -2, 1, 3, fine);
+    tumble_quat quarter = tumble_quat_turn(tumble_v(0, 0, 2), acos(0));
+    near_vec3(tumble_quat_rotate(quarter, tumble_v(1, 2, 3)), -2, 1, 3, fine);
     const tumble_pose none = { { 1, 1, 1 }, { 0, 0, 0, 0 } };
-    near_vec3(tumble_to_world(none, corner), 1.5, 0.5, 1.5, fine);
-    tumble_free(w);
+    near_vec3(tumble_pose_to_world(none, corner), 1.5, 0.5, 1.5, fine);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -365,19 +371,23 @@ START_TEST(a_force_at_a_point_pushes_and_turns)
 {
     tumble_world *w = weightless();
     tumble_body b = add_box(w, 4, 0, 0);
-    ck_assert(tumble_force_at(w, b, tumble_v(0, 6, 0), tumble_v(4.3, 0, 0)));
-    ck_assert(tumble_force_at(w, b, tumble_v(0, 6, 0), tumble_v(4.3, 0, 0)));
-    tumble_step(w);
-    near_vec3(tumble_velocity(w, b), 0, 12.0 / 60 / 2, 0, fine);
-    near_vec3(tumble_spin(w, b), 0, 0, 0.3 * 12 / 60 / (2.0 / 6), 1e-6);
-    tumble_step(w);
-    near_vec3(tumble_velocity(w, b), 0, 12.0 / 60 / 2, 0, fine);
+    ck_assert(tumble_body_force_at(w, b, tumble_v(0, 6, 0),
+                                   tumble_v(4.3, 0, 0)));
+    ck_assert(tumble_body_force_at(w, b, tumble_v(0, 6, 0),
+                                   tumble_v(4.3, 0, 0)));
+    tumble_world_step(w);
+    near_vec3(tumble_body_velocity(w, b), 0, 12.0 / 60 / 2, 0, fine);
+    near_vec3(tumble_body_spin(w, b), 0, 0, 0.3 * 12 / 60 / (2.0 / 6), 1e-6);
+    tumble_world_step(w);
+    near_vec3(tumble_body_velocity(w, b), 0, 12.0 / 60 / 2, 0, fine);
     tumble_body still = add_kind(w, TUMBLE_STATIC, 0, 9, 0);
-    ck_assert(!tumble_force_at(w, still, tumble_v(1, 0, 0), tumble_v(0, 9, 0)));
+    ck_assert(!tumble_body_force_at(w, still, tumble_v(1, 0, 0),
+                                    tumble_v(0, 9, 0)));
     expect_failure(w, "static");
-    ck_assert(!tumble_force_at(w, b, tumble_v(NAN, 0, 0), tumble_v(0, 9, 0)));
+    ck_assert(!tumble_body_force_at(w, b, tumble_v(NAN, 0, 0),
+                                    tumble_v(0, 9, 0)));
     expect_failure(w, "not finite");
-    tumble_free(w);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -388,45 +398,45 @@ static const double let_go = 9.81 / 475;
 // A box lies on a shelf that falls away from under it: both fall g t^2 / 2.
 START_TEST(a_static_body_that_becomes_dynamic_falls_with_what_lies_on_it)
 {
-    tumble_world *w = tumble_make(NULL);
+    tumble_world *w = tumble_world_make(NULL);
     tumble_body shelf = add_kind(w, TUMBLE_STATIC, 0, 0, 0);
     tumble_body box = add_box(w, 0, 1, 0);
     run(w, 4);
-    ck_assert(!tumble_is_awake(w, box));
-    double height = tumble_position(w, box).y;
-    ck_assert(tumble_mass(w, shelf) == 0);
-    ck_assert(tumble_set_kind(w, shelf, TUMBLE_DYNAMIC));
-    ck_assert(tumble_mass(w, shelf) == 2);
-    near_vec3(tumble_velocity(w, shelf), 0, 0, 0, fine);
+    ck_assert(!tumble_body_is_awake(w, box));
+    double height = tumble_body_position(w, box).y;
+    ck_assert(tumble_body_mass(w, shelf) == 0);
+    ck_assert(tumble_body_set_kind(w, shelf, TUMBLE_DYNAMIC));
+    ck_assert(tumble_body_mass(w, shelf) == 2);
+    near_vec3(tumble_body_velocity(w, shelf), 0, 0, 0, fine);
     run(w, 1);
-    near(tumble_position(w, shelf).y, -9.81 / 2, let_go);
-    near(tumble_position(w, box).y, height - 9.81 / 2, let_go);
+    near(tumble_body_position(w, shelf).y, -9.81 / 2, let_go);
+    near(tumble_body_position(w, box).y, height - 9.81 / 2, let_go);
     expect_fine(w);
     goes_on_alike(w, 30);
-    tumble_free(w);
+    tumble_world_free(w);
 }
 END_TEST
 
 // What is made static stops in the air, bears what falls on it, and no push moves it.
 START_TEST(a_body_that_becomes_static_stops_and_bears)
 {
-    tumble_world *w = tumble_make(NULL);
+    tumble_world *w = tumble_world_make(NULL);
     tumble_body b = add_box(w, 0, 0, 0), above = add_box(w, 0.3, 1.5, 0);
     run(w, 0.5);
-    tumble_vec3 at = tumble_position(w, b);
+    tumble_vec3 at = tumble_body_position(w, b);
     near(at.y, -9.81 / 8, 1e-9);
-    ck_assert(tumble_set_kind(w, b, TUMBLE_STATIC));
-    ck_assert(!tumble_push(w, b, tumble_v(1, 0, 0), at));
+    ck_assert(tumble_body_set_kind(w, b, TUMBLE_STATIC));
+    ck_assert(!tumble_body_push(w, b, tumble_v(1, 0, 0), at));
     expect_failure(w, "static");
     run(w, 4);
-    tumble_vec3 still = tumble_position(w, b);
+    tumble_vec3 still = tumble_body_position(w, b);
     ck_assert(memcmp(&at, &still, sizeof at) == 0);
-    near(tumble_position(w, above).y, at.y + 1, 2e-3);
+    near(tumble_body_position(w, above).y, at.y + 1, 2e-3);
     goes_on_alike(w, 30);
-    ck_assert(tumble_set_kind(w, b, TUMBLE_DYNAMIC));
-    ck_assert(tumble_push(w, b, tumble_v(2, 0, 0), still));
-    near_vec3(tumble_velocity(w, b), 1, 0, 0, fine);
-    tumble_free(w);
+    ck_assert(tumble_body_set_kind(w, b, TUMBLE_DYNAMIC));
+    ck_assert(tumble_body_push(w, b, tumble_v(2, 0, 0), still));
+    near_vec3(tumble_body_velocity(w, b), 1, 0, 0, fine);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -437,45 +447,46 @@ START_TEST(a_kind_comes_and_goes_with_its_velocity)
     tumble_world *w = weightless();
     tumble_body b = add_box(w, 0, 0, 0);
     const tumble_vec3 v = tumble_v(3, 0, 0), none = tumble_v(0, 0, 0);
-    tumble_set_velocity(w, b, v, tumble_v(0, 1, 0));
-    ck_assert(tumble_set_kind(w, b, TUMBLE_KINEMATIC));
+    tumble_body_set_velocity(w, b, v, tumble_v(0, 1, 0));
+    ck_assert(tumble_body_set_kind(w, b, TUMBLE_KINEMATIC));
     run(w, 0.5);
-    near_vec3(tumble_position(w, b), 0, 0, 0, fine);
-    tumble_set_velocity(w, b, v, none);
+    near_vec3(tumble_body_position(w, b), 0, 0, 0, fine);
+    tumble_body_set_velocity(w, b, v, none);
     run(w, 0.5);
-    near_vec3(tumble_position(w, b), 1.5, 0, 0, fine);
-    ck_assert(tumble_set_kind(w, b, TUMBLE_DYNAMIC));
-    near_vec3(tumble_velocity(w, b), 3, 0, 0, fine);
+    near_vec3(tumble_body_position(w, b), 1.5, 0, 0, fine);
+    ck_assert(tumble_body_set_kind(w, b, TUMBLE_DYNAMIC));
+    near_vec3(tumble_body_velocity(w, b), 3, 0, 0, fine);
     run(w, 0.5);
-    near_vec3(tumble_position(w, b), 3, 0, 0, fine);
-    ck_assert(tumble_set_kind(w, b, TUMBLE_KINEMATIC));
-    ck_assert(tumble_set_kind(w, b, TUMBLE_STATIC));
-    ck_assert_int_eq(tumble_get_options(w, b).kind, TUMBLE_STATIC);
-    ck_assert(!tumble_set_kind(w, b, (tumble_kind)3));
+    near_vec3(tumble_body_position(w, b), 3, 0, 0, fine);
+    ck_assert(tumble_body_set_kind(w, b, TUMBLE_KINEMATIC));
+    ck_assert(tumble_body_set_kind(w, b, TUMBLE_STATIC));
+    ck_assert_int_eq(tumble_body_get_options(w, b).kind, TUMBLE_STATIC);
+    ck_assert(!tumble_body_set_kind(w, b, (tumble_kind)3));
     expect_failure(w, "3 is no kind");
-    tumble_body rope = tumble_add(w, tumble_rope(w, 4, 1, 1), tumble_at(9, 0, 0));
-    ck_assert(!tumble_set_kind(w, rope, TUMBLE_STATIC));
+    tumble_body rope = tumble_body_add(w, tumble_shape_rope(w, 4, 1, 1),
+                                       tumble_body_at(9, 0, 0));
+    ck_assert(!tumble_body_set_kind(w, rope, TUMBLE_STATIC));
     expect_failure(w, "rope or a cloth");
-    ck_assert(!tumble_set_kind(w, (tumble_body){ 9, 1 }, TUMBLE_STATIC));
+    ck_assert(!tumble_body_set_kind(w, (tumble_body){ 9, 1 }, TUMBLE_STATIC));
     expect_failure(w, "gone");
-    tumble_free(w);
+    tumble_world_free(w);
 }
 END_TEST
 
 // What hangs on a nail falls when the nail does.
 START_TEST(what_is_joined_to_a_body_of_another_kind_wakes)
 {
-    tumble_world *w = tumble_make(NULL);
+    tumble_world *w = tumble_world_make(NULL);
     tumble_body nail = add_kind(w, TUMBLE_STATIC, 0, 0, 0);
     tumble_body b = add_box(w, 0, -2, 0);
-    tumble_ball(w, nail, b, tumble_v(0, -0.75, 0));
+    tumble_joint_ball(w, nail, b, tumble_v(0, -0.75, 0));
     run(w, 3);
-    ck_assert(!tumble_is_awake(w, b));
-    double was = tumble_position(w, b).y;
-    ck_assert(tumble_set_kind(w, nail, TUMBLE_DYNAMIC));
+    ck_assert(!tumble_body_is_awake(w, b));
+    double was = tumble_body_position(w, b).y;
+    ck_assert(tumble_body_set_kind(w, nail, TUMBLE_DYNAMIC));
     run(w, 1);
-    near(tumble_position(w, b).y, was - 9.81 / 2, let_go);
-    tumble_free(w);
+    near(tumble_body_position(w, b).y, was - 9.81 / 2, let_go);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -486,28 +497,29 @@ START_TEST(what_hangs_asleep_on_a_driven_body_goes_with_it)
     const tumble_vec3 none = tumble_v(0, 0, 0);
     const double speed[] = { 0.001, 0.5, -20 };
     for (int k = 0; k < 3; k++) {
-        tumble_world *w = tumble_make(NULL);
+        tumble_world *w = tumble_world_make(NULL);
         tumble_body hook = add_kind(w, TUMBLE_KINEMATIC, 0, 0, 0);
         tumble_body b = add_box(w, 0, -2, 0), c = add_box(w, 0, -4, 0);
-        tumble_joint on_hook = tumble_ball(w, hook, b, tumble_v(0, -0.75, 0));
-        tumble_ball(w, b, c, tumble_v(0, -2.75, 0));
+        tumble_joint on_hook = tumble_joint_ball(w, hook, b,
+                                                 tumble_v(0, -0.75, 0));
+        tumble_joint_ball(w, b, c, tumble_v(0, -2.75, 0));
         run(w, 3);
-        ck_assert(!tumble_is_awake(w, b) && !tumble_is_awake(w, c));
-        tumble_set_velocity(w, hook, tumble_v(0, speed[k], 0), none);
+        ck_assert(!tumble_body_is_awake(w, b) && !tumble_body_is_awake(w, c));
+        tumble_body_set_velocity(w, hook, tumble_v(0, speed[k], 0), none);
         run(w, 2);
-        near(tumble_position(w, b).y, -2 + 2 * speed[k], 1e-4);
-        near(tumble_position(w, c).y, -4 + 2 * speed[k], 1e-4);
-        tumble_set_velocity(w, hook, none, none);
+        near(tumble_body_position(w, b).y, -2 + 2 * speed[k], 1e-4);
+        near(tumble_body_position(w, c).y, -4 + 2 * speed[k], 1e-4);
+        tumble_body_set_velocity(w, hook, none, none);
         run(w, 10);
-        ck_assert(!tumble_is_awake(w, b));
-        tumble_pose at = tumble_get_pose(w, hook);
+        ck_assert(!tumble_body_is_awake(w, b));
+        tumble_pose at = tumble_body_pose(w, hook);
         at.position.x += 0.001;
-        ck_assert(tumble_set_pose(w, hook, at));
-        ck_assert(tumble_is_awake(w, b) && tumble_is_awake(w, c));
+        ck_assert(tumble_body_set_pose(w, hook, at));
+        ck_assert(tumble_body_is_awake(w, b) && tumble_body_is_awake(w, c));
         run(w, 1);
         near(tumble_joint_gap(w, on_hook), 0, 1e-6);
         expect_fine(w);
-        tumble_free(w);
+        tumble_world_free(w);
     }
 }
 END_TEST
@@ -517,30 +529,30 @@ START_TEST(each_body_falls_as_its_share_of_gravity_says)
 {
     const double share[] = { 0, 0.5, 1, 2, -1, 40 };
     enum { N = sizeof share / sizeof *share };
-    tumble_world *w = tumble_make(NULL);
+    tumble_world *w = tumble_world_make(NULL);
     tumble_body b[N];
     for (int k = 0; k < N; k++) {
         b[k] = add_box(w, 3 * k, 0, 0);
-        ck_assert(tumble_gravity_scale(w, b[k]) == 1);
-        ck_assert(tumble_set_gravity_scale(w, b[k], share[k]));
-        tumble_set_velocity(w, b[k], tumble_v(0, 2, 0), tumble_v(0, 0, 0));
-        near(tumble_velocity(w, b[k]).y, 2, fine);
+        ck_assert(tumble_body_gravity_scale(w, b[k]) == 1);
+        ck_assert(tumble_body_set_gravity_scale(w, b[k], share[k]));
+        tumble_body_set_velocity(w, b[k], tumble_v(0, 2, 0), tumble_v(0, 0, 0));
+        near(tumble_body_velocity(w, b[k]).y, 2, fine);
     }
     for (int half = 1; half <= 2; half++) {
         double t = half / 2.0;
         run(w, 0.5);
         for (int k = 0; k < N; k++) {
             double g = 9.81 * share[k];
-            near(tumble_position(w, b[k]).y, 2 * t - g * t * t / 2, 1e-7);
-            near(tumble_velocity(w, b[k]).y, 2 - g * t, 1e-7);
-            ck_assert(tumble_gravity_scale(w, b[k]) == share[k]);
+            near(tumble_body_position(w, b[k]).y, 2 * t - g * t * t / 2, 1e-7);
+            near(tumble_body_velocity(w, b[k]).y, 2 - g * t, 1e-7);
+            ck_assert(tumble_body_gravity_scale(w, b[k]) == share[k]);
         }
         tumble_world *then = copied(w);
         goes_on_alike(then, 20);
-        tumble_free(then);
+        tumble_world_free(then);
     }
     expect_fine(w);
-    tumble_free(w);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -548,20 +560,21 @@ END_TEST
 // 0.5 s with g / 4.
 START_TEST(a_change_of_its_gravity_keeps_the_velocity)
 {
-    tumble_world *w = tumble_make(NULL);
+    tumble_world *w = tumble_world_make(NULL);
     tumble_body b = add_box(w, 0, 0, 0);
     run(w, 0.5);
-    ck_assert(tumble_set_gravity_scale(w, b, 0.25));
-    near(tumble_velocity(w, b).y, -9.81 / 2, fine);
+    ck_assert(tumble_body_set_gravity_scale(w, b, 0.25));
+    near(tumble_body_velocity(w, b).y, -9.81 / 2, fine);
     run(w, 0.5);
-    near(tumble_position(w, b).y, -9.81 * (1.0 / 8 + 1.0 / 4 + 1.0 / 32), fine);
-    tumble_measures m = tumble_measure(w);
+    near(tumble_body_position(w, b).y, -9.81 * (1.0 / 8 + 1.0 / 4 + 1.0 / 32),
+         fine);
+    tumble_measures m = tumble_world_measure(w);
     near(m.momentum.y, 2 * -9.81 * (0.5 + 0.125), 0.03);
-    ck_assert(!tumble_set_gravity_scale(w, b, NAN));
+    ck_assert(!tumble_body_set_gravity_scale(w, b, NAN));
     expect_failure(w, "nan times");
-    ck_assert(!tumble_set_gravity_scale(w, b, 2000));
+    ck_assert(!tumble_body_set_gravity_scale(w, b, 2000));
     expect_failure(w, "2000 times");
-    tumble_free(w);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -571,20 +584,20 @@ START_TEST(a_box_presses_with_its_own_gravity)
 {
     tumble_world *w = with_floor();
     tumble_body b = add_box(w, 0, 0.5, 0), up = add_box(w, 5, 0.6, 0);
-    tumble_set_gravity_scale(w, b, 3);
-    tumble_set_gravity_scale(w, up, 0);
-    tumble_set_velocity(w, up, tumble_v(0, 10, 0), tumble_v(0, 0, 0));
+    tumble_body_set_gravity_scale(w, b, 3);
+    tumble_body_set_gravity_scale(w, up, 0);
+    tumble_body_set_velocity(w, up, tumble_v(0, 10, 0), tumble_v(0, 0, 0));
     run(w, 2);
     tumble_contact c[4];
-    ck_assert_int_eq(tumble_contacts(w, c, 4), 1);
+    ck_assert_int_eq(tumble_world_contacts(w, c, 4), 1);
     double sum = 0;
     for (int k = 0; k < c[0].points; k++) sum += c[0].force[k];
     near(sum, 3 * 2 * 9.81, 0.05);
-    near(tumble_position(w, up).y, 20.6, 1e-6);
-    tumble_set_gravity_scale(w, b, -1);
+    near(tumble_body_position(w, up).y, 20.6, 1e-6);
+    tumble_body_set_gravity_scale(w, b, -1);
     run(w, 1);
-    near(tumble_position(w, b).y, 0.5 + 9.81 / 2, 1.01 * let_go);
-    tumble_free(w);
+    near(tumble_body_position(w, b).y, 0.5 + 9.81 / 2, 1.01 * let_go);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -594,17 +607,18 @@ END_TEST
 START_TEST(a_body_goes_along_no_axis_that_is_locked)
 {
     for (unsigned axes = 1; axes < 8; axes++) {
-        tumble_world *w = tumble_make(NULL);
+        tumble_world *w = tumble_world_make(NULL);
         tumble_body b = add_box(w, 1, 2, 3);
-        ck_assert(tumble_set_locked(w, b, axes));
-        ck_assert_uint_eq(tumble_locked(w, b), axes);
-        tumble_set_velocity(w, b, tumble_v(1, 2, 3), tumble_v(0.1, 0.2, 0.3));
+        ck_assert(tumble_body_set_locked(w, b, axes));
+        ck_assert_uint_eq(tumble_body_locked(w, b), axes);
+        tumble_body_set_velocity(w, b, tumble_v(1, 2, 3),
+                                 tumble_v(0.1, 0.2, 0.3));
         run(w, 1);
-        near_vec3(tumble_position(w, b), axes & 1 ? 1 : 2,
+        near_vec3(tumble_body_position(w, b), axes & 1 ? 1 : 2,
                   axes & 2 ? 2 : 4 - 9.81 / 2, axes & 4 ? 3 : 6, 1e-6);
-        near(tumble_spin(w, b).y, 0.2, 1e-6);
+        near(tumble_body_spin(w, b).y, 0.2, 1e-6);
         goes_on_alike(w, 20);
-        tumble_free(w);
+        tumble_world_free(w);
     }
 }
 END_TEST
@@ -616,11 +630,12 @@ START_TEST(a_body_turns_about_no_axis_that_is_locked)
     for (unsigned turns = 1; turns < 8; turns++) {
         tumble_world *w = weightless();
         tumble_body b = add_box(w, 0, 0, 0);
-        ck_assert(tumble_set_locked(w, b, turns * TUMBLE_LOCK_TURN_X));
-        tumble_push(w, b, tumble_v(0.4, 0.2, -0.6), tumble_v(0.5, 0.5, 0.5));
+        ck_assert(tumble_body_set_locked(w, b, turns * TUMBLE_LOCK_TURN_X));
+        tumble_body_push(w, b, tumble_v(0.4, 0.2, -0.6),
+                         tumble_v(0.5, 0.5, 0.5));
         run(w, 1);
-        tumble_vec3 s = tumble_spin(w, b);
-        near_vec3(tumble_velocity(w, b), 0.2, 0.1, -0.3, 1e-6);
+        tumble_vec3 s = tumble_body_spin(w, b);
+        near_vec3(tumble_body_velocity(w, b), 0.2, 0.1, -0.3, 1e-6);
         if (turns & 1) near(s.x, 0, 1e-6);
         if (turns & 2) near(s.y, 0, 1e-6);
         if (turns & 4) near(s.z, 0, 1e-6);
@@ -629,8 +644,8 @@ START_TEST(a_body_turns_about_no_axis_that_is_locked)
         if (turns == 6) near(s.x, moment[0] * 3, 1e-4);
         if (turns == 5) near(s.y, moment[1] * 3, 1e-4);
         if (turns == 3) near(s.z, moment[2] * 3, 1e-4);
-        if (turns == 7) near(tumble_get_pose(w, b).rotation.w, 1, 1e-9);
-        tumble_free(w);
+        if (turns == 7) near(tumble_body_pose(w, b).rotation.w, 1, 1e-9);
+        tumble_world_free(w);
     }
 }
 END_TEST
@@ -642,11 +657,11 @@ START_TEST(a_game_in_two_dimensions_stays_flat)
     tumble_body b[10];
     for (int k = 0; k < 10; k++) {
         b[k] = add_box(w, 0.3 * (k % 3), 0.6 + 1.05 * k, 0.02 * k);
-        ck_assert(tumble_set_locked(w, b[k], TUMBLE_LOCK_FLAT));
+        ck_assert(tumble_body_set_locked(w, b[k], TUMBLE_LOCK_FLAT));
     }
     run(w, 5);
     for (int k = 0; k < 10; k++) {
-        tumble_pose p = tumble_get_pose(w, b[k]);
+        tumble_pose p = tumble_body_pose(w, b[k]);
         near(p.position.z, 0.02 * k, 1e-4);
         near(p.rotation.x, 0, 1e-4);
         near(p.rotation.y, 0, 1e-4);
@@ -654,46 +669,46 @@ START_TEST(a_game_in_two_dimensions_stays_flat)
     }
     expect_fine(w);
     goes_on_alike(w, 30);
-    tumble_free(w);
+    tumble_world_free(w);
 }
 END_TEST
 
 // It is held from where it is put, sleeps, and is free again when it is asked.
 START_TEST(a_lock_goes_with_the_pose_that_is_set_and_can_be_taken_off)
 {
-    tumble_world *w = tumble_make(NULL);
+    tumble_world *w = tumble_world_make(NULL);
     tumble_body b = add_box(w, 0, 0, 0);
-    ck_assert(tumble_set_locked(w, b, TUMBLE_LOCK_Y | TUMBLE_LOCK_TURNS));
-    ck_assert_int_eq(tumble_joints(w, NULL, 0), 0);
+    ck_assert(tumble_body_set_locked(w, b, TUMBLE_LOCK_Y | TUMBLE_LOCK_TURNS));
+    ck_assert_int_eq(tumble_world_joints(w, NULL, 0), 0);
     tumble_pose p = { { 4, 5, 6 }, { 0, 0, 0, 1 } };
-    p.rotation = tumble_turn(tumble_v(0, 0, 1), 0.5);
-    ck_assert(tumble_set_pose(w, b, p));
+    p.rotation = tumble_quat_turn(tumble_v(0, 0, 1), 0.5);
+    ck_assert(tumble_body_set_pose(w, b, p));
     run(w, 2);
-    near_vec3(tumble_position(w, b), 4, 5, 6, 1e-6);
-    near(tumble_get_pose(w, b).rotation.z, p.rotation.z, 1e-6);
-    ck_assert(!tumble_is_awake(w, b));
-    ck_assert(tumble_set_locked(w, b, 0));
-    ck_assert_uint_eq(tumble_locked(w, b), 0);
+    near_vec3(tumble_body_position(w, b), 4, 5, 6, 1e-6);
+    near(tumble_body_pose(w, b).rotation.z, p.rotation.z, 1e-6);
+    ck_assert(!tumble_body_is_awake(w, b));
+    ck_assert(tumble_body_set_locked(w, b, 0));
+    ck_assert_uint_eq(tumble_body_locked(w, b), 0);
     run(w, 1);
-    near(tumble_position(w, b).y, 5 - 9.81 / 2, let_go);
-    ck_assert(tumble_set_locked(w, b, 1));
-    ck_assert(tumble_set_kind(w, b, TUMBLE_STATIC));
-    ck_assert_uint_eq(tumble_locked(w, b), 0);
+    near(tumble_body_position(w, b).y, 5 - 9.81 / 2, let_go);
+    ck_assert(tumble_body_set_locked(w, b, 1));
+    ck_assert(tumble_body_set_kind(w, b, TUMBLE_STATIC));
+    ck_assert_uint_eq(tumble_body_locked(w, b), 0);
     expect_fine(w);
-    ck_assert(!tumble_set_locked(w, b, 1));
+    ck_assert(!tumble_body_set_locked(w, b, 1));
     expect_failure(w, "not dynamic");
-    ck_assert(!tumble_set_locked(w, b, 64));
+    ck_assert(!tumble_body_set_locked(w, b, 64));
     expect_failure(w, "0x40");
-    ck_assert(tumble_set_kind(w, b, TUMBLE_DYNAMIC));
-    ck_assert(tumble_set_locked(w, b, 1));
-    ck_assert(tumble_remove(w, b));
+    ck_assert(tumble_body_set_kind(w, b, TUMBLE_DYNAMIC));
+    ck_assert(tumble_body_set_locked(w, b, 1));
+    ck_assert(tumble_body_remove(w, b));
     run(w, 0.1);
     b = add_box(w, 0, 0, 0);
-    ck_assert_uint_eq(tumble_locked(w, b), 0);
-    tumble_push(w, b, tumble_v(2, 0, 0), tumble_v(0, 0, 0));
+    ck_assert_uint_eq(tumble_body_locked(w, b), 0);
+    tumble_body_push(w, b, tumble_v(2, 0, 0), tumble_v(0, 0, 0));
     run(w, 1);
-    near(tumble_position(w, b).x, 1, 1e-6);
-    tumble_free(w);
+    near(tumble_body_position(w, b).x, 1, 1e-6);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -701,8 +716,8 @@ END_TEST
 static tumble_body add_gate(tumble_world *w, double x, double y, double z)
 {
     tumble_body gate = add_kind(w, TUMBLE_STATIC, x, y, z);
-    ck_assert(tumble_set_sensor(w, gate, true));
-    ck_assert(tumble_is_sensor(w, gate));
+    ck_assert(tumble_body_set_sensor(w, gate, true));
+    ck_assert(tumble_body_is_sensor(w, gate));
     return gate;
 }
 
@@ -713,30 +728,31 @@ START_TEST(a_sensor_sees_what_goes_through_it_and_stops_nothing)
 {
     tumble_world *w = weightless();
     tumble_body gate = add_gate(w, 2, 0, 0), b = add_box(w, 0, 0, 0);
-    tumble_set_velocity(w, b, tumble_v(1, 0, 0), tumble_v(0, 0, 0));
+    tumble_body_set_velocity(w, b, tumble_v(1, 0, 0), tumble_v(0, 0, 0));
     double came = 0, left = 0;
     for (int k = 1; k <= 240; k++) {
         tumble_event e[2];
         tumble_body in[2];
-        tumble_step(w);
-        int n = tumble_sensor_events(w, e, 2);
+        tumble_world_step(w);
+        int n = tumble_world_sensor_events(w, e, 2);
         ck_assert_int_le(n, 1);
         if (n == 1) {
             ck_assert(is_same(e[0].a, gate) && is_same(e[0].b, b));
             if (e[0].begins) came = k / 60.0;
             else             left = k / 60.0;
         }
-        ck_assert_int_eq(tumble_sensed(w, gate, in, 2), came > 0 && left == 0);
+        ck_assert_int_eq(tumble_body_sensed(w, gate, in, 2),
+                         came > 0 && left == 0);
         if (came > 0 && left == 0) ck_assert(is_same(in[0], b));
         if (k == 120) goes_on_alike(w, 1);
         k += k == 120;
     }
     near(came, 1, 1.01 / 60);
     near(left, 3, 1.01 / 60);
-    near_vec3(tumble_velocity(w, b), 1, 0, 0, fine);
-    ck_assert_int_eq(tumble_events(w, NULL, 0), 0);
+    near_vec3(tumble_body_velocity(w, b), 1, 0, 0, fine);
+    ck_assert_int_eq(tumble_world_events(w, NULL, 0), 0);
     expect_fine(w);
-    tumble_free(w);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -748,48 +764,48 @@ START_TEST(a_sensor_sees_what_its_filter_lets_in)
     tumble_body gate = add_gate(w, 0, 0, 0);
     tumble_body in[8];
     tumble_hit hit;
-    tumble_shape box = tumble_box(w, tumble_v(1, 1, 1), 1);
-    tumble_body_options o = tumble_at(0.2, 0, 0);
+    tumble_shape box = tumble_shape_box(w, tumble_v(1, 1, 1), 1);
+    tumble_body_options o = tumble_body_at(0.2, 0, 0);
     o.group = 4;
-    tumble_body b = tumble_add(w, box, o);
+    tumble_body b = tumble_body_add(w, box, o);
     add_kind(w, TUMBLE_STATIC, 0, 0.3, 0);
     tumble_body lift = add_kind(w, TUMBLE_KINEMATIC, 0.4, 0.4, 0.4);
-    tumble_body rope = tumble_add(w, tumble_rope(w, 10, 4, 1),
-                                  tumble_at(2.3, 0, 0));
-    tumble_body far = tumble_add(w, tumble_rope(w, 10, 4, 1),
-                                 tumble_at(2.8, 0, 0));
+    tumble_body rope = tumble_body_add(w, tumble_shape_rope(w, 10, 4, 1),
+                                       tumble_body_at(2.3, 0, 0));
+    tumble_body far = tumble_body_add(w, tumble_shape_rope(w, 10, 4, 1),
+                                      tumble_body_at(2.8, 0, 0));
     add_gate(w, 0, 0, 0.5);
-    ck_assert_int_eq(tumble_sensed(w, gate, in, 8), 3);
+    ck_assert_int_eq(tumble_body_sensed(w, gate, in, 8), 3);
     ck_assert(is_same(in[0], b) && is_same(in[1], lift) && is_same(in[2], rope));
-    ck_assert_int_eq(tumble_sensed(w, far, in, 8), 0);
-    ck_assert(tumble_set_filter(w, gate, 2, ~4u));
-    ck_assert_int_eq(tumble_sensed(w, gate, in, 8), 2);
-    ck_assert(tumble_set_filter(w, b, 1, ~2u));
-    ck_assert_int_eq(tumble_sensed(w, gate, in, 8), 2);
-    ck_assert(tumble_set_filter(w, b, 1, 2));
-    ck_assert_int_eq(tumble_sensed(w, gate, in, 8), 3);
-    tumble_body_options got = tumble_get_options(w, gate);
+    ck_assert_int_eq(tumble_body_sensed(w, far, in, 8), 0);
+    ck_assert(tumble_body_set_filter(w, gate, 2, ~4u));
+    ck_assert_int_eq(tumble_body_sensed(w, gate, in, 8), 2);
+    ck_assert(tumble_body_set_filter(w, b, 1, ~2u));
+    ck_assert_int_eq(tumble_body_sensed(w, gate, in, 8), 2);
+    ck_assert(tumble_body_set_filter(w, b, 1, 2));
+    ck_assert_int_eq(tumble_body_sensed(w, gate, in, 8), 3);
+    tumble_body_options got = tumble_body_get_options(w, gate);
     ck_assert(got.group == 2 && got.mask == ~4u);
-    ck_assert(!tumble_ray(w, tumble_v(-0.4, -3, -0.4), tumble_v(-0.4, -0.3, -0.4),
-                          ~0u, &hit));
-    ck_assert(tumble_set_sensor(w, gate, false));
-    ck_assert_int_eq(tumble_sensed(w, gate, in, 8), 0);
-    ck_assert(tumble_ray(w, tumble_v(-0.4, -3, -0.4), tumble_v(-0.4, -0.3, -0.4), ~0u,
-                         &hit));
+    ck_assert(!tumble_world_ray(w, tumble_v(-0.4, -3, -0.4),
+                                tumble_v(-0.4, -0.3, -0.4), ~0u, &hit));
+    ck_assert(tumble_body_set_sensor(w, gate, false));
+    ck_assert_int_eq(tumble_body_sensed(w, gate, in, 8), 0);
+    ck_assert(tumble_world_ray(w, tumble_v(-0.4, -3, -0.4),
+                               tumble_v(-0.4, -0.3, -0.4), ~0u, &hit));
     expect_fine(w);
-    ck_assert(!tumble_set_sensor(w, b, true));
+    ck_assert(!tumble_body_set_sensor(w, b, true));
     expect_failure(w, "no sensor");
-    ck_assert(tumble_set_sensor(w, gate, true));
-    ck_assert(!tumble_set_kind(w, gate, TUMBLE_DYNAMIC));
+    ck_assert(tumble_body_set_sensor(w, gate, true));
+    ck_assert(!tumble_body_set_kind(w, gate, TUMBLE_DYNAMIC));
     expect_failure(w, "is a sensor");
-    tumble_sensor_events(w, NULL, 0);
-    tumble_remove(w, rope);
-    tumble_remove(w, gate);
+    tumble_world_sensor_events(w, NULL, 0);
+    tumble_body_remove(w, rope);
+    tumble_body_remove(w, gate);
     tumble_event e[8];
-    int ends = 0, n = tumble_sensor_events(w, e, 8);
+    int ends = 0, n = tumble_world_sensor_events(w, e, 8);
     for (int k = 0; k < n; k++) ends += !e[k].begins && is_same(e[k].a, gate);
     ck_assert_int_eq(ends, 3);
-    tumble_free(w);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -800,18 +816,18 @@ START_TEST(an_event_says_where_and_how_hard)
     tumble_body b = add_box(w, 0, 0.5, 0);
     tumble_event e[2];
     run(w, 0.5);
-    ck_assert_int_eq(tumble_events(w, e, 2), 1);
+    ck_assert_int_eq(tumble_world_events(w, e, 2), 1);
     ck_assert(e[0].begins && is_same(e[0].a, b));
     near_vec3(e[0].normal, 0, 1, 0, 1e-6);
     near(e[0].force, 2 * 9.81, 1e-3);
     near(fabs(e[0].point.x), 0.5, 1e-3);
     near(fabs(e[0].point.z), 0.5, 1e-3);
-    tumble_set_pose(w, b, (tumble_pose){ { 0, 9, 0 }, { 0, 0, 0, 1 } });
-    tumble_step(w);
-    ck_assert_int_eq(tumble_events(w, e, 2), 1);
+    tumble_body_set_pose(w, b, (tumble_pose){ { 0, 9, 0 }, { 0, 0, 0, 1 } });
+    tumble_world_step(w);
+    ck_assert_int_eq(tumble_world_events(w, e, 2), 1);
     ck_assert(!e[0].begins);
     near(e[0].force, 2 * 9.81, 1e-3);
-    tumble_free(w);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -825,20 +841,20 @@ START_TEST(a_bounce_is_told_with_its_impulse)
     tumble_body b;
     int blows = 0;
     for (int k = 0; k < 2; k++) {
-        tumble_body_options o = tumble_at(0, 3, 0);
+        tumble_body_options o = tumble_body_at(0, 3, 0);
         o.velocity = tumble_v(0, -5, 0);
         o.restitution = 0.5;
-        tumble_add_plane(both[k], tumble_v(0, 1, 0), 0, 0);
-        b = tumble_add(both[k], tumble_sphere(both[k], 0.5, 2), o);
+        tumble_plane_add(both[k], tumble_v(0, 1, 0), 0, 0);
+        b = tumble_body_add(both[k], tumble_shape_sphere(both[k], 0.5, 2), o);
     }
-    ck_assert(tumble_listen(w, true));
+    ck_assert(tumble_world_listen(w, true));
     for (int k = 0; k < 60; k++) {
         tumble_impulse i[2];
-        tumble_step(w);
-        tumble_step(deaf);
-        ck_assert_uint_eq(tumble_hash(w), tumble_hash(deaf));
-        ck_assert_int_eq(tumble_impulses(deaf, i, 2), 0);
-        int n = tumble_impulses(w, i, 2);
+        tumble_world_step(w);
+        tumble_world_step(deaf);
+        ck_assert_uint_eq(tumble_world_hash(w), tumble_world_hash(deaf));
+        ck_assert_int_eq(tumble_world_impulses(deaf, i, 2), 0);
+        int n = tumble_world_impulses(w, i, 2);
         if (n == 0) continue;
         blows++;
         ck_assert_int_eq(n, 1);
@@ -846,12 +862,12 @@ START_TEST(a_bounce_is_told_with_its_impulse)
         near_vec3(i[0].normal, 0, 1, 0, fine);
         near(i[0].point.x, 0, fine);
         near(i[0].point.y, 0, 0.1);
-        ck_assert(is_same(i[0].a, b) && is_same(i[0].b, tumble_ground()));
+        ck_assert(is_same(i[0].a, b) && is_same(i[0].b, tumble_body_ground()));
     }
     ck_assert_int_eq(blows, 1);
-    near(tumble_velocity(w, b).y, 2.5, 1e-9);
-    tumble_free(w);
-    tumble_free(deaf);
+    near(tumble_body_velocity(w, b).y, 2.5, 1e-9);
+    tumble_world_free(w);
+    tumble_world_free(deaf);
 }
 END_TEST
 
@@ -862,34 +878,34 @@ START_TEST(what_a_floor_gives_is_what_the_momentum_changes_by)
     enum { N = 12, MOST = 64 };
     tumble_world *w = with_floor();
     for (int k = 0; k < N; k++) add_box(w, 0.2 * (k % 3), 0.7 + 1.1 * k, 0);
-    tumble_listen(w, true);
+    tumble_world_listen(w, true);
     const double weight = N * 2 * 9.81 / 60;
     double sum = 0;
     for (int k = 0; k < 120; k++) {
         tumble_impulse i[MOST];
-        tumble_step(w);
+        tumble_world_step(w);
         tumble_body all[N];
-        int n = tumble_impulses(w, i, MOST);
+        int n = tumble_world_impulses(w, i, MOST);
         ck_assert_int_le(n, MOST);
         for (int j = 0; j < n; j++)
-            if (is_same(i[j].b, tumble_ground())) sum += i[j].impulse;
-        ck_assert_int_eq(tumble_bodies(w, all, N), N);
+            if (is_same(i[j].b, tumble_body_ground())) sum += i[j].impulse;
+        ck_assert_int_eq(tumble_world_bodies(w, all, N), N);
         if (k == 50) {
             tumble_world *copy = copied(w);
             tumble_impulse same[MOST];
-            ck_assert_int_eq(tumble_impulses(copy, same, MOST), n);
+            ck_assert_int_eq(tumble_world_impulses(copy, same, MOST), n);
             for (int j = 0; j < n; j++)
                 ck_assert(same[j].impulse == i[j].impulse);
-            tumble_free(copy);
+            tumble_world_free(copy);
         }
-        tumble_measures m = tumble_measure(w);
+        tumble_measures m = tumble_world_measure(w);
         near(sum, m.momentum.y + (k + 1) * weight, weight / 8 + 1e-6);
     }
     tumble_impulse i[MOST];
     run(w, 3);
-    tumble_listen(w, false);
-    ck_assert_int_eq(tumble_impulses(w, i, MOST), 0);
-    tumble_free(w);
+    tumble_world_listen(w, false);
+    ck_assert_int_eq(tumble_world_impulses(w, i, MOST), 0);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -907,38 +923,39 @@ static bool from_above(void *context, const tumble_contact *c)
     bool is_a = is_same(c->a, p->platform);
     if (!is_a && !is_same(c->b, p->platform)) return true;
     tumble_body other = is_a ? c->b : c->a;
-    return tumble_position(p->w, other).y - 0.5 > 3.1 - 0.02;
+    return tumble_body_position(p->w, other).y - 0.5 > 3.1 - 0.02;
 }
 
 START_TEST(a_platform_of_one_way_lets_through_from_below_and_holds_above)
 {
     tumble_world *w = with_floor();
-    tumble_body_options o = tumble_at(0, 3, 0);
+    tumble_body_options o = tumble_body_at(0, 3, 0);
     o.kind = TUMBLE_STATIC;
-    tumble_body platform = tumble_add(w, tumble_box(w, tumble_v(4, 0.2, 4), 1), o);
+    tumble_body platform =
+        tumble_body_add(w, tumble_shape_box(w, tumble_v(4, 0.2, 4), 1), o);
     tumble_body b = add_box(w, 0, 1, 0), under = add_box(w, 1.5, 0.5, 0);
     one_way p = { w, platform, 0 };
-    ck_assert(tumble_choose_contacts(w, from_above, &p));
-    tumble_set_velocity(w, b, tumble_v(0, 9, 0), tumble_v(0, 0, 0));
+    ck_assert(tumble_world_choose_contacts(w, from_above, &p));
+    tumble_body_set_velocity(w, b, tumble_v(0, 9, 0), tumble_v(0, 0, 0));
     double highest = 0;
     for (int k = 0; k < 240; k++) {
-        tumble_step(w);
-        double y = tumble_position(w, b).y;
+        tumble_world_step(w);
+        double y = tumble_body_position(w, b).y;
         highest = y > highest ? y : highest;
     }
     near(highest, 1 + 81 / (2 * 9.81), 0.01);
-    near(tumble_position(w, b).y, 3.6, 2e-3);
-    near(tumble_position(w, under).y, 0.5, 2e-3);
+    near(tumble_body_position(w, b).y, 3.6, 2e-3);
+    near(tumble_body_position(w, under).y, 0.5, 2e-3);
     ck_assert_int_gt(p.asked, 0);
     int asked = p.asked;
-    ck_assert(tumble_choose_contacts(w, NULL, NULL));
-    tumble_set_velocity(w, under, tumble_v(0, 9, 0), tumble_v(0, 0, 0));
+    ck_assert(tumble_world_choose_contacts(w, NULL, NULL));
+    tumble_body_set_velocity(w, under, tumble_v(0, 9, 0), tumble_v(0, 0, 0));
     for (int k = 0; k < 120; k++) {
-        tumble_step(w);
-        ck_assert(tumble_position(w, under).y < 2.45);
+        tumble_world_step(w);
+        ck_assert(tumble_body_position(w, under).y < 2.45);
     }
     ck_assert_int_eq(p.asked, asked);
-    tumble_free(w);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -951,12 +968,13 @@ START_TEST(a_ray_finds_all_that_it_meets_in_order)
     tumble_body b[N];
     const tumble_vec3 from = { 0, 10, 0 }, to = { 0, -10, 0 };
     for (int k = 0; k < N; k++) b[k] = add_box(w, 0, 1 + (k * 3 % N), 0);
-    tumble_shape piece[2] = { tumble_box(w, tumble_v(1, 0.2, 1), 1) };
+    tumble_shape piece[2] = { tumble_shape_box(w, tumble_v(1, 0.2, 1), 1) };
     tumble_pose pose[2] = { { { 0, 8.1, 0 }, { 0, 0, 0, 1 } },
                             { { 0, 8.5, 0 }, { 0, 0, 0, 1 } } };
     piece[1] = piece[0];
-    tumble_body two = tumble_add_pieces(w, piece, pose, 2, tumble_at(0, 0, 0));
-    ck_assert_int_eq(tumble_ray_all(w, from, to, ~0u, h, N + 2), N + 2);
+    tumble_body two = tumble_body_add_pieces(w, piece, pose, 2,
+                                             tumble_body_at(0, 0, 0));
+    ck_assert_int_eq(tumble_world_ray_all(w, from, to, ~0u, h, N + 2), N + 2);
     ck_assert(is_same(h[0].body, two));
     near(h[0].fraction, (10 - 8.6) / 20, 1e-9);
     for (int k = 0; k < N; k++) {
@@ -966,17 +984,18 @@ START_TEST(a_ray_finds_all_that_it_meets_in_order)
         near(h[at].fraction, (10 - top) / 20, 1e-9);
         near_vec3(h[at].normal, 0, 1, 0, 1e-9);
     }
-    ck_assert(is_same(h[N + 1].body, tumble_ground()));
+    ck_assert(is_same(h[N + 1].body, tumble_body_ground()));
     near(h[N + 1].fraction, 0.5, 1e-9);
     tumble_hit few[3];
-    ck_assert_int_eq(tumble_ray_all(w, from, to, ~0u, few, 3), N + 2);
+    ck_assert_int_eq(tumble_world_ray_all(w, from, to, ~0u, few, 3), N + 2);
     for (int k = 0; k < 3; k++) ck_assert(is_same(few[k].body, h[k].body));
-    ck_assert_int_eq(tumble_ray_all(w, from, to, 2, h, 9), 1);
-    ck_assert_int_eq(tumble_ray_all(w, from, tumble_v(0, 9, 0), ~0u, h, 9), 0);
+    ck_assert_int_eq(tumble_world_ray_all(w, from, to, 2, h, 9), 1);
+    ck_assert_int_eq(tumble_world_ray_all(w, from, tumble_v(0, 9, 0), ~0u, h,
+                                          9), 0);
     tumble_hit first;
-    ck_assert(tumble_ray(w, from, to, ~0u, &first));
+    ck_assert(tumble_world_ray(w, from, to, ~0u, &first));
     ck_assert(is_same(first.body, two) && first.fraction == few[0].fraction);
-    tumble_free(w);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -984,38 +1003,42 @@ END_TEST
 START_TEST(rope_and_cloth_are_met_where_they_are)
 {
     tumble_world *w = weightless();
-    tumble_body cloth = tumble_add(w, tumble_cloth(w, 11, 6, 10, 5, 1),
-                                   tumble_at(0, 2, 0));
-    tumble_body rope = tumble_add(w, tumble_rope(w, 10, 5, 1),
-                                  tumble_at(0, -2, 0));
+    tumble_body cloth = tumble_body_add(w,
+                                        tumble_shape_cloth(w, 11, 6, 10, 5, 1),
+                                        tumble_body_at(0, 2, 0));
+    tumble_body rope = tumble_body_add(w, tumble_shape_rope(w, 10, 5, 1),
+                                       tumble_body_at(0, -2, 0));
     tumble_hit h;
-    ck_assert(tumble_ray_soft(w, tumble_v(3.1, 4, 1.6), tumble_v(3.1, 0, 1.6),
-                              ~0u, &h));
+    ck_assert(tumble_world_ray_soft(w, tumble_v(3.1, 4, 1.6),
+                                    tumble_v(3.1, 0, 1.6), ~0u, &h));
     ck_assert(is_same(h.body, cloth));
     near(h.fraction, 0.5, 1e-9);
     near_vec3(h.point, 3.1, 2, 1.6, 1e-9);
     near_vec3(h.normal, 0, 1, 0, 1e-9);
-    tumble_vec3 v = tumble_vertex(w, cloth, h.vertex);
+    tumble_vec3 v = tumble_body_vertex(w, cloth, h.vertex);
     near_vec3(v, 3, 2, 1.5, 1e-9);
     const double thick = 0.55 * 0.5;
-    ck_assert(tumble_ray_soft(w, tumble_v(0.9, -4, 0), tumble_v(0.9, 0, 0), ~0u,
-                              &h));
+    ck_assert(tumble_world_ray_soft(w, tumble_v(0.9, -4, 0),
+                                    tumble_v(0.9, 0, 0), ~0u, &h));
     ck_assert(is_same(h.body, rope));
     near(h.point.y, -2 - thick, 1e-9);
     near(h.fraction, (2 - thick) / 4, 1e-9);
-    near_vec3(tumble_vertex(w, rope, h.vertex), 1, -2, 0, 1e-9);
-    ck_assert(!tumble_ray_soft(w, tumble_v(6, 4, 0), tumble_v(6, -4, 0), ~0u, &h));
-    ck_assert(!tumble_ray_soft(w, tumble_v(0, 4, 0), tumble_v(0, -4, 0), 2, &h));
-    ck_assert(tumble_nearest_soft(w, tumble_v(3.5, -2, 0), 1, ~0u, &h));
+    near_vec3(tumble_body_vertex(w, rope, h.vertex), 1, -2, 0, 1e-9);
+    ck_assert(!tumble_world_ray_soft(w, tumble_v(6, 4, 0), tumble_v(6, -4, 0),
+                                     ~0u, &h));
+    ck_assert(!tumble_world_ray_soft(w, tumble_v(0, 4, 0), tumble_v(0, -4, 0),
+                                     2, &h));
+    ck_assert(tumble_world_nearest_soft(w, tumble_v(3.5, -2, 0), 1, ~0u, &h));
     ck_assert(is_same(h.body, rope));
     near(h.fraction, 1 - thick, 1e-9);
-    ck_assert(tumble_nearest_soft(w, tumble_v(0.2, 1.4, 0.1), 1, ~0u, &h));
+    ck_assert(tumble_world_nearest_soft(w, tumble_v(0.2, 1.4, 0.1), 1, ~0u,
+                                        &h));
     ck_assert(is_same(h.body, cloth));
     near(h.fraction, 0.6, 1e-9);
     near_vec3(h.point, 0.2, 2, 0.1, 1e-9);
-    ck_assert(!tumble_nearest_soft(w, tumble_v(0, 0, 0), 1, ~0u, &h));
-    ck_assert(!tumble_nearest_soft(NULL, tumble_v(0, 0, 0), 1, ~0u, &h));
-    tumble_free(w);
+    ck_assert(!tumble_world_nearest_soft(w, tumble_v(0, 0, 0), 1, ~0u, &h));
+    ck_assert(!tumble_world_nearest_soft(NULL, tumble_v(0, 0, 0), 1, ~0u, &h));
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -1026,38 +1049,42 @@ START_TEST(a_rod_that_turns_meets_what_is_beside_it)
 {
     tumble_world *w = weightless();
     const double r = 0.1, d = 1.5, quarter = acos(0);
-    tumble_shape rod = tumble_capsule(w, 4, r, 1);      // along y
-    tumble_body_options o = tumble_at(-d, 0, 0);
+    tumble_shape rod = tumble_shape_capsule(w, 4, r, 1);   // along y
+    tumble_body_options o = tumble_body_at(-d, 0, 0);
     o.kind = TUMBLE_STATIC;
-    tumble_body ball = tumble_add(w, tumble_sphere(w, r, 1), o);
+    tumble_body ball = tumble_body_add(w, tumble_shape_sphere(w, r, 1), o);
     tumble_pose p = { { 0, 0, 0 }, { 0, 0, 0, 1 } };
     tumble_vec3 turn = tumble_v(0, 0, quarter), none = tumble_v(0, 0, 0);
     tumble_hit h;
-    ck_assert(tumble_sweep_turning(w, rod, p, none, turn, ~0u, &h));
+    ck_assert(tumble_world_sweep_turning(w, rod, p, none, turn, ~0u, &h));
     ck_assert(is_same(h.body, ball));
     near(h.fraction, 1 - asin(2 * r / d) / quarter, 1e-5);
     turn.z = 5 * quarter;
-    ck_assert(tumble_sweep_turning(w, rod, p, none, turn, ~0u, &h));
+    ck_assert(tumble_world_sweep_turning(w, rod, p, none, turn, ~0u, &h));
     near(h.fraction, (1 - asin(2 * r / d) / quarter) / 5, 1e-5);
     turn.z = quarter - 1.01 * asin(2 * r / d);
-    ck_assert(!tumble_sweep_turning(w, rod, p, none, turn, ~0u, &h));
+    ck_assert(!tumble_world_sweep_turning(w, rod, p, none, turn, ~0u, &h));
     turn.z = quarter;
-    ck_assert(!tumble_sweep_turning(w, rod, (tumble_pose){ { 0, 0, 0.3 },
+    ck_assert(!tumble_world_sweep_turning(w, rod, (tumble_pose){ { 0, 0, 0.3 },
                                     { 0, 0, 0, 1 } }, none, turn, ~0u, &h));
-    // Without a turn it is tumble_sweep.
+    // Without a turn it is tumble_world_sweep.
     tumble_hit straight;
-    ck_assert(tumble_sweep(w, rod, p, tumble_v(-3, 0, 0), ~0u, &straight));
-    ck_assert(tumble_sweep_turning(w, rod, p, tumble_v(-3, 0, 0), none, ~0u, &h));
+    ck_assert(tumble_world_sweep(w, rod, p, tumble_v(-3, 0, 0), ~0u,
+                                 &straight));
+    ck_assert(tumble_world_sweep_turning(w, rod, p, tumble_v(-3, 0, 0), none,
+                                         ~0u, &h));
     ck_assert(h.fraction == straight.fraction);
-    tumble_remove(w, ball);
+    tumble_body_remove(w, ball);
     // Upright it falls, and turns flat: its end meets the floor below.
-    tumble_add_plane(w, tumble_v(0, 1, 0), -0.4, -1);
+    tumble_plane_add(w, tumble_v(0, 1, 0), -0.4, -1);
     p.position.y = 2;
-    ck_assert(tumble_sweep_turning(w, rod, p, tumble_v(0, -2, 0), turn, ~0u, &h));
+    ck_assert(tumble_world_sweep_turning(w, rod, p, tumble_v(0, -2, 0), turn,
+                                         ~0u, &h));
     double t = h.fraction;
     near(2 - 2 * t - 2 * cos(quarter * t) - r, -0.4, 1e-5);
-    ck_assert(!tumble_sweep_turning(w, rod, p, none, tumble_v(NAN, 0, 0), ~0u, &h));
-    tumble_free(w);
+    ck_assert(!tumble_world_sweep_turning(w, rod, p, none, tumble_v(NAN, 0, 0),
+                                          ~0u, &h));
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -1067,46 +1094,47 @@ END_TEST
 START_TEST(a_world_that_is_put_back_does_the_same_again)
 {
     const double heights[9] = { 0, 0.1, 0, 0.1, 0.2, 0.1, 0, 0.1, 0 };
-    tumble_world *w = tumble_make(NULL);
-    tumble_add_heights(w, heights, 3, 3, 20, 20, 0, tumble_at(0, 0, 0));
+    tumble_world *w = tumble_world_make(NULL);
+    tumble_body_add_heights(w, heights, 3, 3, 20, 20, 0,
+                            tumble_body_at(0, 0, 0));
     tumble_body b[8];
     for (int k = 0; k < 8; k++) b[k] = add_box(w, 0.1 * k, 1 + 1.1 * k, 0);
     one_way p = { w, b[0], 0 };
     run(w, 0.5);
-    size_t size = tumble_save(w, NULL, 0);
+    size_t size = tumble_world_save(w, NULL, 0);
     char *bytes = malloc(size);
     ck_assert_ptr_nonnull(bytes);
-    tumble_save(w, bytes, size);
+    tumble_world_save(w, bytes, size);
     unsigned long long hash[30];
     for (int round = 0; round < 3; round++) {
         for (int k = 0; k < 30; k++) {
-            tumble_step(w);
-            if (round == 0) hash[k] = tumble_hash(w);
-            ck_assert_uint_eq(tumble_hash(w), hash[k]);
+            tumble_world_step(w);
+            if (round == 0) hash[k] = tumble_world_hash(w);
+            ck_assert_uint_eq(tumble_world_hash(w), hash[k]);
         }
         tumble_body more = add_box(w, 9, 30, 0);
-        tumble_remove(w, b[3]);
-        tumble_step(w);
-        ck_assert(tumble_restore(w, bytes, size));
-        ck_assert(tumble_has(w, b[3]));
-        ck_assert_int_eq(tumble_has(w, more), false);
+        tumble_body_remove(w, b[3]);
+        tumble_world_step(w);
+        ck_assert(tumble_world_restore(w, bytes, size));
+        ck_assert(tumble_body_exists(w, b[3]));
+        ck_assert_int_eq(tumble_body_exists(w, more), false);
     }
-    unsigned long long now = tumble_hash(w);
+    unsigned long long now = tumble_world_hash(w);
     bytes[size / 2] ^= 1;
-    ck_assert(!tumble_restore(w, bytes, size));
-    ck_assert_ptr_nonnull(tumble_failure(w));
-    tumble_forget_failure(w);
-    ck_assert_uint_eq(tumble_hash(w), now);
+    ck_assert(!tumble_world_restore(w, bytes, size));
+    ck_assert_ptr_nonnull(tumble_world_failure(w));
+    tumble_world_forget_failure(w);
+    ck_assert_uint_eq(tumble_world_hash(w), now);
     bytes[size / 2] ^= 1;
-    ck_assert(tumble_choose_contacts(w, from_above, &p));
-    ck_assert(tumble_restore(w, bytes, size));
+    ck_assert(tumble_world_choose_contacts(w, from_above, &p));
+    ck_assert(tumble_world_restore(w, bytes, size));
     run(w, 0.5);
     ck_assert_int_gt(p.asked, 0);
     expect_fine(w);
-    ck_assert(!tumble_restore(NULL, bytes, size));
+    ck_assert(!tumble_world_restore(NULL, bytes, size));
     expect_failure(NULL, "no world");
     free(bytes);
-    tumble_free(w);
+    tumble_world_free(w);
 }
 END_TEST
 

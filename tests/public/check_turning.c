@@ -22,13 +22,14 @@ static tumble_shape coin(tumble_world *w, double radius, double height)
         p[k] = tumble_v(radius * cos(a), k < RIM ? -height / 2 : height / 2,
                         radius * sin(a));
     }
-    return tumble_hull(w, p, 2 * RIM, 1);
+    return tumble_shape_hull(w, p, 2 * RIM, 1);
 }
 
 static double lowest(const tumble_world *w, tumble_body b)
 {
     double y = HUGE_VAL;
-    for (int k = 0; k < 2 * RIM; k++) y = fmin(y, tumble_vertex(w, b, k).y);
+    for (int k = 0; k < 2 * RIM; k++)
+        y = fmin(y, tumble_body_vertex(w, b, k).y);
     return y;
 }
 
@@ -36,17 +37,17 @@ static double lowest(const tumble_world *w, tumble_body b)
 // seconds, in its diameters.
 static double deepest(double radius, double tilt)
 {
-    tumble_world *w = tumble_make(NULL);
-    tumble_add_plane(w, tumble_v(0, 1, 0), 0, -1);
-    tumble_body_options o = tumble_at(0, 2 * radius, 0);
-    o.pose.rotation = tumble_turn(tumble_v(1, 0, 0.3), tilt);
-    tumble_body b = tumble_add(w, coin(w, radius, radius / 4), o);
+    tumble_world *w = tumble_world_make(NULL);
+    tumble_plane_add(w, tumble_v(0, 1, 0), 0, -1);
+    tumble_body_options o = tumble_body_at(0, 2 * radius, 0);
+    o.pose.rotation = tumble_quat_turn(tumble_v(1, 0, 0.3), tilt);
+    tumble_body b = tumble_body_add(w, coin(w, radius, radius / 4), o);
     double deep = 0;
     for (int k = 0; k < 120; k++) {
-        tumble_step(w);
+        tumble_world_step(w);
         deep = fmax(deep, -lowest(w, b) / (2 * radius));
     }
-    tumble_free(w);
+    tumble_world_free(w);
     return deep;
 }
 
@@ -68,15 +69,16 @@ static bool is_hit(double spin, double thick, double radius, double away,
 {
     tumble_options o = tumble_options_default();
     o.gravity = tumble_v(0, 0, 0);
-    tumble_world *w = tumble_make(&o);
-    tumble_body_options spun = tumble_at(0, 0, 0);
+    tumble_world *w = tumble_world_make(&o);
+    tumble_body_options spun = tumble_body_at(0, 0, 0);
     spun.spin = tumble_v(0, spin, 0);
-    tumble_add(w, tumble_box(w, tumble_v(2, 0.2, thick), 1000), spun);
-    tumble_body ball = tumble_add(w, tumble_sphere(w, radius, 0.01),
-        tumble_at(away * cos(angle), 0, away * sin(angle)));
-    for (int k = 0; k < (int)(60 * PI / spin) + 2; k++) tumble_step(w);
-    tumble_vec3 v = tumble_velocity(w, ball);
-    tumble_free(w);
+    tumble_body_add(w, tumble_shape_box(w, tumble_v(2, 0.2, thick), 1000),
+                    spun);
+    tumble_body ball = tumble_body_add(w, tumble_shape_sphere(w, radius, 0.01),
+        tumble_body_at(away * cos(angle), 0, away * sin(angle)));
+    for (int k = 0; k < (int)(60 * PI / spin) + 2; k++) tumble_world_step(w);
+    tumble_vec3 v = tumble_body_velocity(w, ball);
+    tumble_world_free(w);
     return v.x * v.x + v.y * v.y + v.z * v.z > 0;
 }
 
@@ -105,22 +107,23 @@ static double rate_missed(double length, double angle, double dt)
     double rate = sqrt(9.81 / (length * cos(angle))), way = 0, last = 0;
     tumble_options how = tumble_options_default();
     how.dt = dt;
-    tumble_world *w = tumble_make(&how);
-    tumble_body_options o = tumble_at(length * sin(angle),
-                                      -length * cos(angle), 0);
+    tumble_world *w = tumble_world_make(&how);
+    tumble_body_options o = tumble_body_at(length * sin(angle),
+                                           -length * cos(angle), 0);
     o.velocity = tumble_v(0, 0, -rate * length * sin(angle));
-    tumble_body b = tumble_add(w, tumble_sphere(w, length / 20, 1), o);
-    tumble_distance(w, tumble_ground(), tumble_v(0, 0, 0), b, o.pose.position,
-                    length, length);
+    tumble_body b = tumble_body_add(w, tumble_shape_sphere(w, length / 20, 1),
+                                    o);
+    tumble_joint_distance(w, tumble_body_ground(), tumble_v(0, 0, 0), b,
+                          o.pose.position, length, length);
     int steps = (int)(5 * 2 * PI / rate / dt);
     for (int k = 0; k < steps; k++) {
-        tumble_step(w);
-        tumble_vec3 x = tumble_position(w, b);
+        tumble_world_step(w);
+        tumble_vec3 x = tumble_body_position(w, b);
         double now = atan2(-x.z, x.x);
         way += remainder(now - last, 2 * PI);
         last = now;
     }
-    tumble_free(w);
+    tumble_world_free(w);
     return fabs(way / (rate * steps * dt) - 1);
 }
 

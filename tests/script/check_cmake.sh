@@ -33,8 +33,8 @@ program plain -Dtumble_DIR="$(ls -d "$place"/in*/lib*/cmake/tumble)"
 other=$(nm -g --defined-only "$place"/in*/lib*/libtumble.a | awk 'NF == 3 && $3 !~ /^_?tumble_/ { print $3 }')
 [ -z "$other" ] || fail "CMake's library also shows $(echo $other | cut -c 1-200)"
 [ -s "$place/in a folder/share/licenses/tumble/LICENSE" ] || fail "CMake installs no licence"
-sed -i.old 's/tumble 2 /tumble 1 /' "$place/a place/program/CMakeLists.txt"
+sed -i.old 's/tumble 3 /tumble 2 /' "$place/a place/program/CMakeLists.txt"
 for by in "$place/made" "$place/in a folder"; do
-    ! cmake "$place/plain" -Dtumble_DIR="$(ls -d "$by"/lib*/cmake/tumble)" > /dev/null 2>&1 || fail "version 1 is found where 2 stands: $by"
+    ! cmake "$place/plain" -Dtumble_DIR="$(ls -d "$by"/lib*/cmake/tumble)" > /dev/null 2>&1 || fail "version 2 is found where 3 stands: $by"
 done
 echo "cmake: fetched, installed, and found as make installs it; the same bits"

@@ -72,12 +72,12 @@ vec3 vec3_add(vec3 a, vec3 b) { return a + b; }
 int main(void)
 {
     struct body body = { 3 };
-    tumble_world *w = tumble_make(NULL);
-    tumble_add(w, tumble_box(w, tumble_v(1, 1, 1), 1), tumble_at(0, 0, 0));
-    tumble_step(w);
-    int fell = tumble_position(w, (tumble_body){ 0, 1 }).y < 0;
+    tumble_world *w = tumble_world_make(NULL);
+    tumble_body_add(w, tumble_shape_box(w, tumble_v(1, 1, 1), 1), tumble_body_at(0, 0, 0));
+    tumble_world_step(w);
+    int fell = tumble_body_position(w, (tumble_body){ 0, 1 }).y < 0;
     printf("%d %g %d\n", world_step(&body), vec3_add(1, NORMAL), fell);
-    tumble_free(w);
+    tumble_world_free(w);
 }
 END
 "${CC:-cc}" -std=c11 -I"$place/tumble/include" own.c tumble/lib/libtumble.a -lm -o own && said=$(./own) &&

@@ -18,7 +18,7 @@ static tumble_world *weightless(void)
 {
     tumble_options o = tumble_options_default();
     o.gravity = tumble_v(0, 0, 0);
-    tumble_world *w = tumble_make(&o);
+    tumble_world *w = tumble_world_make(&o);
     ck_assert_ptr_nonnull(w);
     return w;
 }
@@ -26,26 +26,26 @@ static tumble_world *weightless(void)
 static tumble_body thrown(tumble_world *w, tumble_shape s, tumble_vec3 at,
                           tumble_vec3 velocity)
 {
-    tumble_body_options o = tumble_at(at.x, at.y, at.z);
+    tumble_body_options o = tumble_body_at(at.x, at.y, at.z);
     o.velocity = velocity;
-    tumble_body b = tumble_add(w, s, o);
-    ck_assert(tumble_has(w, b));
+    tumble_body b = tumble_body_add(w, s, o);
+    ck_assert(tumble_body_exists(w, b));
     return b;
 }
 
 static tumble_body kept(tumble_world *w, tumble_shape s, tumble_vec3 at,
                         tumble_kind kind)
 {
-    tumble_body_options o = tumble_at(at.x, at.y, at.z);
+    tumble_body_options o = tumble_body_at(at.x, at.y, at.z);
     o.kind = kind;
-    tumble_body b = tumble_add(w, s, o);
-    ck_assert(tumble_has(w, b));
+    tumble_body b = tumble_body_add(w, s, o);
+    ck_assert(tumble_body_exists(w, b));
     return b;
 }
 
 static double speed(const tumble_world *w, tumble_body b)
 {
-    tumble_vec3 v = tumble_velocity(w, b);
+    tumble_vec3 v = tumble_body_velocity(w, b);
     return sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
 }
 
@@ -60,30 +60,30 @@ START_TEST(a_drawn_cord_gives_back_no_more_than_it_has_stored)
     const double compliance[] = { 0.1, 0.01, 0.001 };
     for (int k = 0; k < COUNT(compliance); k++) {
         tumble_world *w = weightless();
-        tumble_body cord = tumble_add(w, tumble_rope(w, 1, 1, 1e-3),
-                                      tumble_at(0, 0, 0));
-        ck_assert(tumble_set_stretch(w, cord, compliance[k]));
-        ck_assert(tumble_pin(w, cord, 0));
-        tumble_vec3 end = tumble_vertex(w, cord, 1);
-        tumble_vec3 nail = tumble_vertex(w, cord, 0);
-        tumble_shape box = tumble_box(w, tumble_v(0.1, 0.1, 0.1), 1);
+        tumble_body cord = tumble_body_add(w, tumble_shape_rope(w, 1, 1, 1e-3),
+                                           tumble_body_at(0, 0, 0));
+        ck_assert(tumble_body_set_stretch(w, cord, compliance[k]));
+        ck_assert(tumble_body_pin(w, cord, 0));
+        tumble_vec3 end = tumble_body_vertex(w, cord, 1);
+        tumble_vec3 nail = tumble_body_vertex(w, cord, 0);
+        tumble_shape box = tumble_shape_box(w, tumble_v(0.1, 0.1, 0.1), 1);
         tumble_body b = thrown(w, box, end, tumble_v(0, 0, 0));
-        tumble_joint hook = tumble_hang(w, cord, 1, b);
-        ck_assert(tumble_is_joined(w, hook));
+        tumble_joint hook = tumble_joint_hang(w, cord, 1, b);
+        ck_assert(tumble_joint_exists(w, hook));
         // Away from the nail, until the cord has stored 0.125 / c (J) of it.
         double away = end.x > nail.x ? 1 : -1;
         double start = 0.5 / sqrt(compliance[k]);
-        tumble_push(w, b, tumble_v(away * start, 0, 0), end);
+        tumble_body_push(w, b, tumble_v(away * start, 0, 0), end);
         double most = 0;
         for (int f = 0; f < 240; f++) {
-            tumble_step(w);
+            tumble_world_step(w);
             most = fmax(most, speed(w, b));
         }
         ck_assert_msg(most <= 1.01 * start, "c %g: %g of %g m/s", compliance[k],
                       most, start);
         // It comes back: the cord has not eaten it.
         ck_assert_msg(most >= 0.9 * start, "c %g: %g", compliance[k], most);
-        tumble_free(w);
+        tumble_world_free(w);
     }
 }
 END_TEST
@@ -96,18 +96,18 @@ START_TEST(what_touches_nothing_keeps_its_velocity_beside_a_crash)
     tumble_options o = tumble_options_default();
     o.gravity = tumble_v(0, 0, 0);
     o.friction = 1000;
-    tumble_world *w = tumble_make(&o);
-    tumble_shape box = tumble_box(w, tumble_v(1, 1, 1), 2);
+    tumble_world *w = tumble_world_make(&o);
+    tumble_shape box = tumble_shape_box(w, tumble_v(1, 1, 1), 2);
     tumble_body far = thrown(w, box, tumble_v(1000, 0, 0), tumble_v(10, 0, 0));
     for (int k = 0; k < 8; k++)
         thrown(w, box, tumble_v(1.1 * k, 0.3 * k, 0),
                tumble_v(20 * (3.5 - k), 0, 0));
     for (int f = 0; f < 120; f++) {
-        tumble_step(w);
-        double now = tumble_velocity(w, far).x;
+        tumble_world_step(w);
+        double now = tumble_body_velocity(w, far).x;
         ck_assert_msg(fabs(now - 10) < 1e-9, "frame %d: %.17g m/s", f, now);
     }
-    tumble_free(w);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -121,23 +121,23 @@ START_TEST(a_room_without_gravity_makes_no_energy)
         tumble_world *w = weightless();
         for (int i = 0; i < 6; i++) {
             double s = i % 2 ? -1 : 1;
-            tumble_add_plane(w, tumble_v(s * (i / 2 == 0), s * (i / 2 == 1),
+            tumble_plane_add(w, tumble_v(s * (i / 2 == 0), s * (i / 2 == 1),
                                          s * (i / 2 == 2)), -0.4, -1);
         }
-        tumble_shape brick = tumble_box(w, tumble_v(0.1, 0.2, 0.4), 1);
+        tumble_shape brick = tumble_shape_box(w, tumble_v(0.1, 0.2, 0.4), 1);
         tumble_body b = thrown(w, brick, tumble_v(0, 0, 0),
                                tumble_v(fast[k], -2 * fast[k], 3 * fast[k]));
-        double before = tumble_measure(w).kinetic;
+        double before = tumble_world_measure(w).kinetic;
         for (int f = 0; f < 200; f++) {
-            tumble_step(w);
-            double now = tumble_measure(w).kinetic;
+            tumble_world_step(w);
+            double now = tumble_world_measure(w).kinetic;
             ck_assert_msg(now <= before * (1 + 1e-9), "%g m/s, frame %d: %g of "
                           "%g J", fast[k], f, now, before);
-            tumble_vec3 x = tumble_position(w, b);
+            tumble_vec3 x = tumble_body_position(w, b);
             double far = fmax(fabs(x.x), fmax(fabs(x.y), fabs(x.z)));
             ck_assert_msg(far <= 0.4 + 1e-9, "%g m/s: at %g m", fast[k], far);
         }
-        tumble_free(w);
+        tumble_world_free(w);
     }
 }
 END_TEST
@@ -158,24 +158,25 @@ START_TEST(a_plate_that_moves_goes_through_nothing_that_stands)
     for (int k = 0; k < COUNT(c); k++) {
         double v = c[k].fast;
         tumble_world *w = weightless();
-        tumble_shape plate = tumble_box(w, tumble_v(1, 0.01, 1), 1);
-        tumble_shape bullet = tumble_icosahedron(w, RADIUS, 0.05);
+        tumble_shape plate = tumble_shape_box(w, tumble_v(1, 0.01, 1), 1);
+        tumble_shape bullet = tumble_shape_icosahedron(w, RADIUS, 0.05);
         tumble_body up = thrown(w, plate, tumble_v(0, -0.3, 0),
                                 tumble_v(0, v, 0));
         tumble_body b = kept(w, bullet, tumble_v(0, 0, 0), c[k].kind);
         for (int f = 0; f < 20; f++) {
-            tumble_step(w);
-            double over = tumble_position(w, b).y - tumble_position(w, up).y;
+            tumble_world_step(w);
+            double over = tumble_body_position(w, b).y
+                - tumble_body_position(w, up).y;
             ck_assert_msg(over > 0, "case %d, frame %d: %g m", k, f, over);
         }
-        double left = tumble_velocity(w, up).y;
+        double left = tumble_body_velocity(w, up).y;
         if (c[k].kind == TUMBLE_STATIC) {
             ck_assert(fabs(left) < 0.01 * v);
         } else {
-            double sum = left + 0.05 * tumble_velocity(w, b).y;
+            double sum = left + 0.05 * tumble_body_velocity(w, b).y;
             ck_assert(fabs(sum - v) < 1e-9 * v);
         }
-        tumble_free(w);
+        tumble_world_free(w);
     }
 }
 END_TEST
@@ -187,17 +188,17 @@ START_TEST(an_overlap_of_the_start_is_not_thrown_out)
 {
     for (int k = 0; k < 3; k++) {
         tumble_world *w = weightless();
-        tumble_shape plate = tumble_box(w, tumble_v(1, 0.01, 1), 1);
-        tumble_shape bullet = tumble_icosahedron(w, RADIUS, 0.05);
+        tumble_shape plate = tumble_shape_box(w, tumble_v(1, 0.01, 1), 1);
+        tumble_shape bullet = tumble_shape_icosahedron(w, RADIUS, 0.05);
         kept(w, plate, tumble_v(0, 0, 0), TUMBLE_STATIC);
         double start = 0.005 + 0.04 - 0.006 * k;
         tumble_body b = thrown(w, bullet, tumble_v(0.1, start, 0),
                                tumble_v(0, 0, 0));
-        for (int f = 0; f < 120; f++) tumble_step(w);
-        double high = tumble_position(w, b).y, v = speed(w, b);
+        for (int f = 0; f < 120; f++) tumble_world_step(w);
+        double high = tumble_body_position(w, b).y, v = speed(w, b);
         ck_assert_msg(v < 0.01 && high < 2 * RADIUS, "%d: at %g m, %g m/s", k,
                       high, v);
-        tumble_free(w);
+        tumble_world_free(w);
     }
 }
 END_TEST
@@ -216,21 +217,22 @@ START_TEST(what_passes_an_edge_is_not_stopped_and_what_meets_a_side_is)
             at[i] = tumble_v(i < 2 ? 0 : -1, i < 2 ? 0 : i < 4 ? rise : -rise,
                              i % 2 - 0.5);
         tumble_world *w = weightless();
-        tumble_shape prism = tumble_hull(w, at, 6, 5);
-        tumble_shape bullet = tumble_icosahedron(w, RADIUS, 0.05);
+        tumble_shape prism = tumble_shape_hull(w, at, 6, 5);
+        tumble_shape bullet = tumble_shape_icosahedron(w, RADIUS, 0.05);
         // The centre of mass of a prism is two thirds of the way to its back.
         middle.x = -2.0 / 3;
         kept(w, prism, middle, TUMBLE_STATIC);
         double x = passes ? 0.06 : -0.5, y = 0.8;
         tumble_body b = thrown(w, bullet, tumble_v(x, y, 0.1),
                                tumble_v(0, -100, 0));
-        for (int f = 0; f < 4; f++) tumble_step(w);
-        tumble_vec3 v = tumble_velocity(w, b), p = tumble_position(w, b);
+        for (int f = 0; f < 4; f++) tumble_world_step(w);
+        tumble_vec3 v = tumble_body_velocity(w, b),
+                    p = tumble_body_position(w, b);
         if (passes) ck_assert(v.x == 0 && fabs(v.y + 100) < 1e-9);
         else        ck_assert_msg(v.y > -100 && (p.y > 0 || p.x > 0.04
                                                  || p.x < -1.04),
                                   "%d: at (%g, %g)", k, p.x, p.y);
-        tumble_free(w);
+        tumble_world_free(w);
     }
 }
 END_TEST
@@ -244,7 +246,7 @@ static tumble_shape coin(tumble_world *w)
         at[i] = tumble_v(5 * cos(angle), i < CORNERS ? -1.25 : 1.25,
                          5 * sin(angle));
     }
-    return tumble_hull(w, at, 2 * CORNERS, 1);
+    return tumble_shape_hull(w, at, 2 * CORNERS, 1);
 }
 
 // Two coins of 10 m meet at 730 m/s, and what is left of one in the other is
@@ -264,19 +266,19 @@ START_TEST(what_is_put_back_keeps_its_angular_momentum)
     o.gravity = tumble_v(0, 0, 0);
     o.friction = 0;
     o.restitution = 0.5;
-    tumble_world *w = tumble_make(&o);
+    tumble_world *w = tumble_world_make(&o);
     for (int i = 0; i < 2; i++) {
-        tumble_body_options b = tumble_at(at[i].x, at[i].y, at[i].z);
+        tumble_body_options b = tumble_body_at(at[i].x, at[i].y, at[i].z);
         b.pose.rotation = turned[i];
         b.velocity = tumble_v(i ? 364.964462 : -364.964462, 0, 0);
-        tumble_add(w, coin(w), b);
+        tumble_body_add(w, coin(w), b);
     }
-    tumble_vec3 was = tumble_measure(w).angular;
-    for (int f = 0; f < 12; f++) tumble_step(w);
-    tumble_vec3 is = tumble_measure(w).angular;
+    tumble_vec3 was = tumble_world_measure(w).angular;
+    for (int f = 0; f < 12; f++) tumble_world_step(w);
+    tumble_vec3 is = tumble_world_measure(w).angular;
     double off = hypot(hypot(is.x - was.x, is.y - was.y), is.z - was.z);
     ck_assert_msg(off < 1e-9 * 365 * 10, "off by %g", off);
-    tumble_free(w);
+    tumble_world_free(w);
 }
 END_TEST
 

@@ -14,16 +14,16 @@
 
 static tumble_world *with_floor(void)
 {
-    tumble_world *w = tumble_make(NULL);
+    tumble_world *w = tumble_world_make(NULL);
     ck_assert_ptr_nonnull(w);
-    tumble_add_plane(w, tumble_v(0, 1, 0), 0, -1);
+    tumble_plane_add(w, tumble_v(0, 1, 0), 0, -1);
     return w;
 }
 
 static tumble_body add_cube(tumble_world *w, double mass, double x, double y)
 {
-    tumble_shape s = tumble_box(w, tumble_v(1, 1, 1), mass);
-    return tumble_add(w, s, tumble_at(x, y, 0));
+    tumble_shape s = tumble_shape_box(w, tumble_v(1, 1, 1), mass);
+    return tumble_body_add(w, s, tumble_body_at(x, y, 0));
 }
 
 // 1,000 kg on 1 kg.
@@ -54,26 +54,27 @@ START_TEST(box_beside_a_hard_pair_goes_as_it_goes_alone)
     tumble_body box[2];
     int most = 0;
     for (int i = 0; i < 2; i++) {
-        tumble_body_options o = tumble_at(0, 2, 0);
+        tumble_body_options o = tumble_body_at(0, 2, 0);
         o.velocity = tumble_v(1, 0, 0.3);
         o.spin = tumble_v(2, 1, 3);
-        box[i] = tumble_add(w[i], tumble_box(w[i], tumble_v(1, 1, 1), 1), o);
+        box[i] = tumble_body_add(w[i], tumble_shape_box(w[i], tumble_v(1, 1, 1),
+                                                        1), o);
     }
     add_hard_pair(w[1], NULL);
     for (int k = 0; k < 120; k++) {
-        for (int i = 0; i < 2; i++) tumble_step(w[i]);
-        tumble_pose a = tumble_get_pose(w[0], box[0]);
-        tumble_pose b = tumble_get_pose(w[1], box[1]);
+        for (int i = 0; i < 2; i++) tumble_world_step(w[i]);
+        tumble_pose a = tumble_body_pose(w[0], box[0]);
+        tumble_pose b = tumble_body_pose(w[1], box[1]);
         ck_assert_msg(memcmp(&a, &b, sizeof a) == 0, "frame %d", k);
-        tumble_vec3 u = tumble_velocity(w[0], box[0]);
-        tumble_vec3 v = tumble_velocity(w[1], box[1]);
+        tumble_vec3 u = tumble_body_velocity(w[0], box[0]);
+        tumble_vec3 v = tumble_body_velocity(w[1], box[1]);
         ck_assert(memcmp(&u, &v, sizeof u) == 0);
-        ck_assert_int_le(tumble_last_step(w[0]).substeps, 6);
-        int substeps = tumble_last_step(w[1]).substeps;
+        ck_assert_int_le(tumble_world_last_step(w[0]).substeps, 6);
+        int substeps = tumble_world_last_step(w[1]).substeps;
         most = substeps > most ? substeps : most;
     }
     ck_assert_int_gt(most, 24);
-    for (int i = 0; i < 2; i++) tumble_free(w[i]);
+    for (int i = 0; i < 2; i++) tumble_world_free(w[i]);
 }
 END_TEST
 
@@ -81,7 +82,7 @@ END_TEST
 static double load_on(const tumble_world *w, tumble_body b)
 {
     tumble_contact c[16];
-    int n = tumble_contacts(w, c, 16);
+    int n = tumble_world_contacts(w, c, 16);
     double sum = 0;
     for (int k = 0; k < n; k++)
         for (int i = 0; i < c[k].points; i++) {
@@ -98,14 +99,14 @@ START_TEST(contacts_of_both_carry_their_weight)
 {
     tumble_options o = tumble_options_default();
     o.sleep_speed = 0;
-    tumble_world *w = tumble_make(&o);
-    tumble_add_plane(w, tumble_v(0, 1, 0), 0, -1);
+    tumble_world *w = tumble_world_make(&o);
+    tumble_plane_add(w, tumble_v(0, 1, 0), 0, -1);
     tumble_body light = add_cube(w, 2, 0, 0.5), heavy = add_hard_pair(w, NULL);
-    for (int k = 0; k < 60; k++) tumble_step(w);
-    ck_assert_int_gt(tumble_last_step(w).substeps, 24);
+    for (int k = 0; k < 60; k++) tumble_world_step(w);
+    ck_assert_int_gt(tumble_world_last_step(w).substeps, 24);
     near(load_on(w, light), 2 * 9.81, 0.01);
     near(load_on(w, heavy), 1000 * 9.81, 5);
-    tumble_free(w);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -114,35 +115,36 @@ static int substeps_on(int legs)
 {
     tumble_options o = tumble_options_default();
     o.sleep_speed = 0;
-    tumble_world *w = tumble_make(&o);
-    tumble_add_plane(w, tumble_v(0, 1, 0), 0, -1);
-    tumble_shape leg = tumble_box(w, tumble_v(1, 1, 1), 1);
-    tumble_shape slab = tumble_box(w, tumble_v(4, 1, 4), 1000);
+    tumble_world *w = tumble_world_make(&o);
+    tumble_plane_add(w, tumble_v(0, 1, 0), 0, -1);
+    tumble_shape leg = tumble_shape_box(w, tumble_v(1, 1, 1), 1);
+    tumble_shape slab = tumble_shape_box(w, tumble_v(4, 1, 4), 1000);
     for (int k = 0; k < legs; k++)
-        tumble_add(w, leg, tumble_at(legs == 1 ? 0 : k % 2 ? 1 : -1, 0.5,
-                                     legs == 1 ? 0 : k / 2 ? 1 : -1));
-    tumble_add(w, slab, tumble_at(0, 1.5, 0));
-    for (int k = 0; k < 60; k++) tumble_step(w);
-    int substeps = tumble_last_step(w).substeps;
-    tumble_free(w);
+        tumble_body_add(w, leg,
+                        tumble_body_at(legs == 1 ? 0 : k % 2 ? 1 : -1, 0.5,
+                                       legs == 1 ? 0 : k / 2 ? 1 : -1));
+    tumble_body_add(w, slab, tumble_body_at(0, 1.5, 0));
+    for (int k = 0; k < 60; k++) tumble_world_step(w);
+    int substeps = tumble_world_last_step(w).substeps;
+    tumble_world_free(w);
     return substeps;
 }
 
 // A ball that flies to and fro between two walls, by ten of its radii in a frame.
 static void add_bullet(tumble_world *w)
 {
-    tumble_shape wall = tumble_box(w, tumble_v(1, 20, 20), 1);
+    tumble_shape wall = tumble_shape_box(w, tumble_v(1, 20, 20), 1);
     for (int side = -1; side < 2; side += 2) {
-        tumble_body_options o = tumble_at(100 + 2 * side, 10, 0);
+        tumble_body_options o = tumble_body_at(100 + 2 * side, 10, 0);
         o.kind = TUMBLE_STATIC;
         o.friction = 0;
-        tumble_add(w, wall, o);
+        tumble_body_add(w, wall, o);
     }
-    tumble_body_options o = tumble_at(100, 0.1, 0);
+    tumble_body_options o = tumble_body_at(100, 0.1, 0);
     o.velocity = tumble_v(60, 0, 0);
     o.friction = 0;
     o.restitution = 1;
-    tumble_add(w, tumble_sphere(w, 0.1, 0.1), o);
+    tumble_body_add(w, tumble_shape_sphere(w, 0.1, 0.1), o);
 }
 
 // Where a bullet strikes the frame is divided.  A tower beside it must not feel that:
@@ -155,9 +157,9 @@ START_TEST(tower_falls_asleep_beside_a_bullet)
     tumble_body top = { 0 };
     for (int k = 0; k < 10; k++) top = add_cube(w, 1, 0, k + 0.5);
     add_bullet(w);
-    for (int k = 0; k < 120; k++) tumble_step(w);
-    ck_assert(!tumble_is_awake(w, top));
-    tumble_free(w);
+    for (int k = 0; k < 120; k++) tumble_world_step(w);
+    ck_assert(!tumble_body_is_awake(w, top));
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -179,30 +181,30 @@ START_TEST(islands_that_meet_keep_their_momentum)
 {
     tumble_options o = tumble_options_default();
     o.gravity = tumble_v(0, 0, 0);
-    tumble_world *w = tumble_make(&o);
-    tumble_shape half = tumble_box(w, tumble_v(0.5, 0.1, 0.1), 1);
+    tumble_world *w = tumble_world_make(&o);
+    tumble_shape half = tumble_shape_box(w, tumble_v(0.5, 0.1, 0.1), 1);
     tumble_body part[2];
     for (int i = 0; i < 2; i++) {
         double x = i ? 0.25 : -0.25;
-        tumble_body_options p = tumble_at(x, 0, 0);
+        tumble_body_options p = tumble_body_at(x, 0, 0);
         p.spin = tumble_v(0, 0, 40);
         p.velocity = tumble_v(3, 40 * x, 0);
-        part[i] = tumble_add(w, half, p);
+        part[i] = tumble_body_add(w, half, p);
     }
-    tumble_ball(w, part[0], part[1], tumble_v(0, 0, 0));
-    tumble_shape cube = tumble_box(w, tumble_v(1, 1, 1), 5);
-    tumble_body hit = tumble_add(w, cube, tumble_at(3, 0.3, 0));
-    tumble_vec3 before = tumble_measure(w).momentum;
+    tumble_joint_ball(w, part[0], part[1], tumble_v(0, 0, 0));
+    tumble_shape cube = tumble_shape_box(w, tumble_v(1, 1, 1), 5);
+    tumble_body hit = tumble_body_add(w, cube, tumble_body_at(3, 0.3, 0));
+    tumble_vec3 before = tumble_world_measure(w).momentum;
     int most = 0;
     for (int k = 0; k < 90; k++) {
-        tumble_step(w);
-        int substeps = tumble_last_step(w).substeps;
+        tumble_world_step(w);
+        int substeps = tumble_world_last_step(w).substeps;
         most = substeps > most ? substeps : most;
-        near(apart(tumble_measure(w).momentum, before), 0, 1e-11);
+        near(apart(tumble_world_measure(w).momentum, before), 0, 1e-11);
     }
-    ck_assert_double_gt(tumble_velocity(w, hit).x, 0.1);
+    ck_assert_double_gt(tumble_body_velocity(w, hit).x, 0.1);
     ck_assert_int_gt(most, 6);
-    tumble_free(w);
+    tumble_world_free(w);
 }
 END_TEST
 
@@ -212,21 +214,21 @@ START_TEST(saved_world_goes_on_with_the_same_bits)
     tumble_world *w = with_floor();
     add_cube(w, 1, 0, 0.9);
     add_hard_pair(w, NULL);
-    for (int k = 0; k < 7; k++) tumble_step(w);
-    size_t size = tumble_save(w, NULL, 0);
+    for (int k = 0; k < 7; k++) tumble_world_step(w);
+    size_t size = tumble_world_save(w, NULL, 0);
     void *bytes = malloc(size);
     ck_assert_ptr_nonnull(bytes);
-    ck_assert_uint_eq(tumble_save(w, bytes, size), size);
-    tumble_world *again = tumble_load(bytes, size);
+    ck_assert_uint_eq(tumble_world_save(w, bytes, size), size);
+    tumble_world *again = tumble_world_load(bytes, size);
     ck_assert_ptr_nonnull(again);
     for (int k = 0; k < 30; k++) {
-        tumble_step(w);
-        tumble_step(again);
-        ck_assert(tumble_hash(w) == tumble_hash(again));
+        tumble_world_step(w);
+        tumble_world_step(again);
+        ck_assert(tumble_world_hash(w) == tumble_world_hash(again));
     }
     free(bytes);
-    tumble_free(w);
-    tumble_free(again);
+    tumble_world_free(w);
+    tumble_world_free(again);
 }
 END_TEST
 
@@ -239,13 +241,13 @@ START_TEST(island_lets_go_after_half_a_second)
         tumble_world *w = with_floor();
         tumble_body body[2];
         body[1] = add_hard_pair(w, &body[0]);
-        for (int k = 0; k < 20; k++) tumble_step(w);
-        tumble_remove(w, body[i]);
-        tumble_step(w);
-        ck_assert_int_gt(tumble_last_step(w).substeps, 24);
-        for (int k = 0; k < 31; k++) tumble_step(w);
-        ck_assert_int_le(tumble_last_step(w).substeps, 6);
-        tumble_free(w);
+        for (int k = 0; k < 20; k++) tumble_world_step(w);
+        tumble_body_remove(w, body[i]);
+        tumble_world_step(w);
+        ck_assert_int_gt(tumble_world_last_step(w).substeps, 24);
+        for (int k = 0; k < 31; k++) tumble_world_step(w);
+        ck_assert_int_le(tumble_world_last_step(w).substeps, 6);
+        tumble_world_free(w);
     }
 }
 END_TEST
@@ -258,19 +260,19 @@ START_TEST(box_beside_a_cloth_goes_as_it_goes_alone)
     tumble_body box[2];
     int most = 0;
     for (int i = 0; i < 2; i++) box[i] = add_cube(w[i], 1, 0, 2);
-    tumble_shape s = tumble_cloth(w[1], 30, 30, 1, 1, 0.2);
-    tumble_body cloth = tumble_add(w[1], s, tumble_at(10, 3, 0));
-    tumble_pin(w[1], cloth, 0);
+    tumble_shape s = tumble_shape_cloth(w[1], 30, 30, 1, 1, 0.2);
+    tumble_body cloth = tumble_body_add(w[1], s, tumble_body_at(10, 3, 0));
+    tumble_body_pin(w[1], cloth, 0);
     for (int k = 0; k < 120; k++) {
-        for (int i = 0; i < 2; i++) tumble_step(w[i]);
-        tumble_pose a = tumble_get_pose(w[0], box[0]);
-        tumble_pose b = tumble_get_pose(w[1], box[1]);
+        for (int i = 0; i < 2; i++) tumble_world_step(w[i]);
+        tumble_pose a = tumble_body_pose(w[0], box[0]);
+        tumble_pose b = tumble_body_pose(w[1], box[1]);
         ck_assert_msg(memcmp(&a, &b, sizeof a) == 0, "frame %d", k);
-        int substeps = tumble_last_step(w[1]).substeps;
+        int substeps = tumble_world_last_step(w[1]).substeps;
         most = substeps > most ? substeps : most;
     }
     ck_assert_int_gt(most, 7);
-    for (int i = 0; i < 2; i++) tumble_free(w[i]);
+    for (int i = 0; i < 2; i++) tumble_world_free(w[i]);
 }
 END_TEST
 

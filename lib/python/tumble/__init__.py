@@ -1,7 +1,8 @@
 """tumble for Python: what tumble.h declares, without the prefix.
 
-A function of the header whose first argument is a world is a method of World,
-any other is one of this module; each has the header's comment as its help.
+A function of the header whose first argument is a world is a method of World
+(tumble_body_push is World.body_push, and tumble_world_step World.step), any other
+is one of this module; each has the header's comment as its help.
 Vectors may be any three numbers.  What fails raises Failure, with its sentence.
 """
 
@@ -61,6 +62,13 @@ def numbers(array):
     return flat.cast("d", (len(array), width)) if len(array) else flat.cast("d")
 
 
+def _short(name):
+    """tumble_body_push is body_push; a world's own, tumble_world_step, is step."""
+    first = _header.functions[name][1][:1]
+    own = "tumble_world_" if first and first[0].type == "tumble_world" else "tumble_"
+    return name[len(own if name.startswith(own) else "tumble_"):]
+
+
 def _made(name):
     """A function of Python for one of the header; its first may be a world."""
     result, parameters, comment = _header.functions[name]
@@ -76,7 +84,7 @@ def _made(name):
 
     def call(w, *given):
         if len(given) != len(asks):
-            raise TypeError(f"{name[7:]} takes {', '.join(p.name for p in asks) or 'nothing'}")
+            raise TypeError(f"{_short(name)} takes {', '.join(p.name for p in asks) or 'nothing'}")
         c = [w] if world else []
         for p, value in zip(asks, given):
             c.append(_array(_header.types[p.type], value) if _pointer(p) and p.type in _header.types
@@ -108,7 +116,7 @@ def _made(name):
     else:
         def method(*given):
             return call(None, *given)
-    method.__name__ = name[7:]
+    method.__name__ = _short(name)
     method.__doc__ = ", ".join(p.name for p in asks) + "\n\n" + comment
     return method
 
@@ -120,7 +128,7 @@ class World:
         o = _library.tumble_options_default()
         for name, value in options.items():
             setattr(o, name, _given(dict(o._fields_)[name], value))
-        self._begin(_library.tumble_make(ctypes.byref(o)))
+        self._begin(_library.tumble_world_make(ctypes.byref(o)))
 
     def _begin(self, world):
         self._world = world
@@ -128,33 +136,33 @@ class World:
             self._check()
 
     def _check(self):
-        why = _library.tumble_failure(self._world)
+        why = _library.tumble_world_failure(self._world)
         if why:
-            _library.tumble_forget_failure(self._world)
+            _library.tumble_world_forget_failure(self._world)
             raise Failure(why.decode())
 
     def __del__(self):
         if getattr(self, "_world", None):
-            _library.tumble_free(self._world)
+            _library.tumble_world_free(self._world)
             self._world = None
 
     def save(self):
         """All that the world is, as bytes."""
-        size = _library.tumble_save(self._world, None, 0)
+        size = _library.tumble_world_save(self._world, None, 0)
         out = ctypes.create_string_buffer(size)
-        _library.tumble_save(self._world, out, size)
+        _library.tumble_world_save(self._world, out, size)
         return out.raw
 
     @classmethod
     def load(cls, saved):
         """The world that was saved; its steps have the bits that those would have had."""
         self = cls.__new__(cls)
-        self._begin(_library.tumble_load(saved, len(saved)))
+        self._begin(_library.tumble_world_load(saved, len(saved)))
         return self
 
     def restore(self, saved):
         """Puts what was saved in the place of this world."""
-        if not _library.tumble_restore(self._world, saved, len(saved)):
+        if not _library.tumble_world_restore(self._world, saved, len(saved)):
             self._check()
 
     def _in_bulk(self, function, kinds, bodies):
@@ -166,15 +174,15 @@ class World:
     def poses(self, bodies=None):
         """Of many bodies at once (None: of all), a row each: x y z, and the
         quaternion's x y z w.  numpy.asarray(world.poses())[:, :3] is where they are."""
-        return self._in_bulk(_library.tumble_get_poses, [pose], bodies)[0]
+        return self._in_bulk(_library.tumble_body_poses, [pose], bodies)[0]
 
     def velocities(self, bodies=None):
         """Likewise: rows of velocities, and rows of spins, of three numbers each."""
-        return self._in_bulk(_library.tumble_get_velocities, [vec3, vec3], bodies)
+        return self._in_bulk(_library.tumble_body_velocities, [vec3, vec3], bodies)
 
 
-_hidden = {"make", "free", "failure", "forget_failure", "save", "load", "run_on", "draw",
-           "get_poses", "get_velocities", "restore", "choose_contacts"}
+_hidden = {"world_make", "free", "failure", "forget_failure", "save", "world_load", "run_on",
+           "draw", "body_poses", "body_velocities", "restore", "choose_contacts"}
 for _key, _value in _header.constants.items():
     globals()[_key.replace("TUMBLE_", "")] = _value
 for _key, _value in _header.types.items():
@@ -182,20 +190,28 @@ for _key, _value in _header.types.items():
         globals()[_key[7:]] = _value
 for _key, (_result, _parameters, _) in _header.functions.items():
     _function = _made(_key)
-    if _key[7:] in _hidden:
+    if _short(_key) in _hidden:
         continue
     if _parameters and _parameters[0].type == "tumble_world":
-        setattr(World, _key[7:], _function)
+        setattr(World, _short(_key), _function)
     else:
-        globals()[_key[7:]] = _function
+        globals()[_short(_key)] = _function
 
 
-_at = at
+_at = body_at
 
 
-def at(x, y, z, **options):
-    """Options of a body at a place: at(0, 3, 0, kind=STATIC, friction=0.3)."""
+def body_at(x, y, z, **options):
+    """Options of a body at a place: body_at(0, 3, 0, kind=STATIC, friction=0.3)."""
     o = _at(x, y, z)
     for name, value in options.items():
         setattr(o, name, _given(dict(o._fields_)[name], value))
     return o
+
+
+# The names of version 2, as the header has them.
+for _key, _new in _header.old_names.items():
+    if hasattr(World, _short(_new)) and _short(_new) not in _hidden:
+        setattr(World, _key[7:], getattr(World, _short(_new)))
+    elif _short(_new) in globals():
+        globals()[_key[7:]] = globals()[_short(_new)]

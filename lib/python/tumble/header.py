@@ -45,10 +45,11 @@ class Parameter:
 
 class Header:
     """The types, the numbers with names, and the functions: name -> (what it
-    returns, its parameters, the comment above it)."""
+    returns, its parameters, the comment above it); what old names stand for."""
 
     def __init__(self, text):
         self.types, self.constants, self.functions = dict(PLAIN), {}, {}
+        self.old_names = dict(re.findall(r"^#define (tumble_\w+) (tumble_\w+)$", text, re.M))
         text = re.sub(r"^//[<>].*\n", "", text, flags=re.M)
         text = re.sub(r"^[ \t]*#.*\n", "", text, flags=re.M)
         text = re.sub(r'extern "C" \{|^\}$(?!\s*\w)', "", text, flags=re.M)

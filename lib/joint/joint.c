@@ -323,12 +323,28 @@ static void go_apart(joint_rows *r, int k, const joint_side *a,
     go_along(r->b[k], b, vec3_sub(at, b->frame.center), d, -1);
 }
 
-// That is the middle between the two points.
+// The point of a body goes along x, y and z.
+static void go_three(real (*row)[MOTIONS], const joint_side *s, vec3 at,
+                     real sign)
+{
+    vec3 arm = vec3_scale(sign, vec3_sub(at, s->frame.center));
+    for (int k = 0; k < 3; k++)
+        for (int i = 0; i < 3; i++) row[k][i] = k == i ? sign : 0;
+    for (int t = 0; t < TURNS; t++) {
+        vec3 way = vec3_cross(s->basis->turn[t], arm);
+        row[0][MOTION_TURN + t] = way.x;
+        row[1][MOTION_TURN + t] = way.y;
+        row[2][MOTION_TURN + t] = way.z;
+    }
+}
+
+// Both impulses act at the middle between the two points.
 static void find_point_rows(joint_rows *r, const joint_side *a,
                             const joint_side *b, vec3 on_a, vec3 on_b)
 {
     vec3 middle = vec3_scale(0.5, vec3_add(on_a, on_b));
-    for (int k = 0; k < 3; k++) go_apart(r, k, a, b, middle, AXIS[k]);
+    go_three(r->a, a, middle, 1);
+    go_three(r->b, b, middle, -1);
     r->held = 3;
 }
 

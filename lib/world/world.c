@@ -329,8 +329,7 @@ bool world_wake_near(world *w, int a, int b)
     return true;
 }
 
-// Around body b, where it is now.
-static sphere ball_of(const world *w, int b)
+sphere world_ball(const world *w, int b)
 {
     const body *x = &w->body[b];
     const particle *p = w->pool.at + x->first;
@@ -358,11 +357,11 @@ static void wake_joined(world *w, int b)
 
 void world_wake_around(world *w, int b)
 {
-    sphere own = ball_of(w, b);
+    sphere own = world_ball(w, b);
     wake_joined(w, b);
     for (int k = 0; k < w->bodies && w->sleep.sleepers > 0; k++) {
         if (!w->sleep.asleep[k]) continue;
-        sphere other = ball_of(w, k);
+        sphere other = world_ball(w, k);
         if (vec3_distance(own.center, other.center)
             <= own.radius + other.radius) world_wake(w, k);
     }

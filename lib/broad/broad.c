@@ -9,14 +9,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-status broad_init(broad *s, int bodies)
-{
-    *s = (broad){ .bodies = 0 };
-    status done = broad_grow(s, bodies);
-    if (!done.ok) broad_free(s);
-    return done;
-}
-
 // In a leaf of the tree.  The fewer, the fewer balls are
 // compared, and the more memory the boxes take.
 enum { A_LEAF = 4 };                        // tuned, balls

@@ -60,9 +60,8 @@ typedef struct broad {
 //> broad-declare
 //>   Two functions give the same answer in different times, so that one can
 //>   test the other.
-// For that many bodies, >= 0.  Fails, leaving *s empty, if memory is refused.
-status broad_init(broad *s, int bodies);
-// For more of them, if there were fewer.  Fails, changing nothing.
+// For that many bodies, >= 0, if it was for fewer; at first a zeroed one is for
+// none.  Fails, changing nothing, if memory is refused.
 status broad_grow(broad *s, int bodies);
 void   broad_free(broad *s);            // an empty or zeroed one is fine
 

@@ -284,14 +284,6 @@ void pair_list_renew(pair_list *l, int b)
 //> pairs-init
 //>   The rest is memory. The list of pairs grows by half when it is too short,
 //>   and keeps nothing, because it is about to be made again.
-status pair_list_init(pair_list *l, int bodies)
-{
-    *l = (pair_list){ .bodies = 0 };
-    status done = pair_list_grow(l, bodies);
-    if (!done.ok) pair_list_free(l);
-    return done;
-}
-
 static bool make_room(pair_list *l, int bodies)
 {
     int room = table_room(bodies, l->room), n = int_max(room, 1);

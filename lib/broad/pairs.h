@@ -60,9 +60,8 @@ typedef struct {
 //> pairs-declare
 //>   One function answers. It says whether the list is a new one, because
 //>   tables that go along with the pairs must follow it.
-// For that many bodies.  Fails, leaving *l empty, for want of memory.
-status pair_list_init(pair_list *l, int bodies);
-// For more of them, if there were fewer.  Fails, changing nothing.
+// For that many bodies, if it was for fewer; at first a zeroed one is for none.
+// Fails, changing nothing, for want of memory.
 status pair_list_grow(pair_list *l, int bodies);
 void   pair_list_free(pair_list *l);    // an empty or zeroed one is fine
 

@@ -776,16 +776,6 @@ void cache_moved(contact_cache *c, int b, real way)
 
 //> cache-init
 //>   Memory for contacts, made and given back.
-status cache_init(contact_cache *c, const cache_body *body, int bodies)
-{
-    *c = (contact_cache){ .free_entry = -1 };
-    status done = status_ok();
-    for (int b = 0; b < bodies && done.ok; b++)
-        done = cache_add(c, b, body[b].rigid ? body[b].shape->particles : 0);
-    if (!done.ok) cache_free(c);
-    return done;
-}
-
 static bool make_room(contact_cache *c, int bodies, int vertices)
 {
     int room = table_room(bodies, c->room);
@@ -846,27 +836,11 @@ void cache_free(contact_cache *c)
 //<
 
 //> cache-forget
-// Those whose first is a, or whose second is b; or all of them.
-enum { ALL = -1, NONE = -2 };
-
-static void clear_list(contact_cache *c, cache_list *l, int a, int b)
+static void drop_kept(contact_cache *c, cache_pair *p)
 {
-    for (int k = 0; k < l->count; k++) {
-        if (a != ALL && l->key[k][0] != a && l->key[k][1] != b) continue;
-        if (l->pair[k].entry >= 0)
-            c->entry[l->pair[k].entry].contact.count = 0;
-        release(c, &l->pair[k]);
-        forget(&l->pair[k]);
-    }
-}
-
-void cache_forget(contact_cache *c, int b)
-{
-    clear_list(c, &c->pairs, b, b);
-    clear_list(c, &c->walls, b, NONE);
-    clear_list(c, &c->still_pairs, b, b);
-    clear_list(c, &c->still_walls, b, NONE);
-    c->placing[b].number = 0;
+    if (p->entry >= 0) c->entry[p->entry].contact.count = 0;
+    release(c, p);
+    forget(p);
 }
 
 // Of what was not placed; of the key of a wall only the first is a body.
@@ -874,15 +848,12 @@ static void clear_unplaced(contact_cache *c, cache_list *l, int bodies)
 {
     for (int k = 0; k < l->count; k++) {
         int a = l->key[k][0], b = l->key[k][bodies - 1];
-        if (c->placing[a].number > 0 && c->placing[b].number > 0) continue;
-        if (l->pair[k].entry >= 0)
-            c->entry[l->pair[k].entry].contact.count = 0;
-        release(c, &l->pair[k]);
-        forget(&l->pair[k]);
+        if (c->placing[a].number == 0 || c->placing[b].number == 0)
+            drop_kept(c, &l->pair[k]);
     }
 }
 
-void cache_forget_some(contact_cache *c, const int *b, int n)
+void cache_forget(contact_cache *c, const int *b, int n)
 {
     for (int k = 0; k < n; k++) c->placing[b[k]].number = 0;
     clear_unplaced(c, &c->pairs, 2);
@@ -891,18 +862,11 @@ void cache_forget_some(contact_cache *c, const int *b, int n)
     clear_unplaced(c, &c->still_walls, 1);
 }
 
-void cache_forget_plane(contact_cache *c, int k)
+void cache_forget_plane(contact_cache *c, int wall)
 {
-    clear_list(c, &c->walls, NONE, k);
-    clear_list(c, &c->still_walls, NONE, k);
-}
-
-void cache_clear(contact_cache *c)
-{
-    clear_list(c, &c->pairs, ALL, ALL);
-    clear_list(c, &c->walls, ALL, ALL);
-    clear_list(c, &c->still_pairs, ALL, ALL);
-    clear_list(c, &c->still_walls, ALL, ALL);
-    for (int b = 0; b < c->room; b++) c->placing[b].number = 0;
+    cache_list *list[] = { &c->walls, &c->still_walls };
+    for (int i = 0; i < 2; i++)
+        for (int k = 0; k < list[i]->count; k++)
+            if (list[i]->key[k][1] == wall) drop_kept(c, &list[i]->pair[k]);
 }
 //<

@@ -96,7 +96,7 @@ status world_put(world *w, int b, placement where)
     where.is_static = body_is_static(x);
     world_wake(w, b);
     world_wake_around(w, b);
-    cache_forget(&w->rigid.cache, b);
+    cache_forget(&w->rigid.cache, &b, 1);
     soft_forget(&w->soft, b);
     world_place(w, b, &where);
     if (x->is_kinematic)

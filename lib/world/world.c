@@ -561,7 +561,7 @@ void world_weigh(world *w)
 
 void world_renew(world *w, int b)
 {
-    cache_forget(&w->rigid.cache, b);
+    cache_forget(&w->rigid.cache, &b, 1);
     soft_forget(&w->soft, b);
     start_body(w, b);
 }
@@ -786,13 +786,13 @@ void world_remove(world *w, int b)
     world_wake(w, b);
     world_wake_around(w, b);
     leave_joints(w, b);
-    cache_forget(&w->rigid.cache, b);
+    cache_forget(&w->rigid.cache, &b, 1);
     leave(w, b);
 }
 
 void world_remove_parts(world *w, const int *part, int n)
 {
-    cache_forget_some(&w->rigid.cache, part, n);
+    cache_forget(&w->rigid.cache, part, n);
     for (int k = 0; k < n; k++) leave(w, part[k]);
 }
 //<

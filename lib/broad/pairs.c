@@ -84,20 +84,6 @@ static void settle(pair_list *l, const pair_query *q)
     l->looses = q->awakes;
 }
 
-// Room for half as many again; the list is made again, so nothing is kept.
-static bool grow(int (**list)[2], int *capacity, int need)
-{
-    if (need <= *capacity) return true;
-    if (need > 1 << 28) return false;
-    int room = need + need / 2 + 64;
-    int (*more)[2] = malloc((size_t)room * sizeof *more);
-    if (!more) return false;
-    free(*list);
-    *list = more;
-    *capacity = room;
-    return true;
-}
-
 // Which planes is each ball near?  Returns how many, stored or not.
 static int find_walls(pair_list *l, const pair_query *q)
 {
@@ -123,7 +109,8 @@ static int find_walls(pair_list *l, const pair_query *q)
 static void list_walls(pair_list *l, const pair_query *q, int *lost)
 {
     int walls = find_walls(l, q);
-    if (walls > l->wall_capacity && grow(&l->wall, &l->wall_capacity, walls))
+    if (walls > l->wall_capacity
+        && TABLE_RENEW(l->wall, l->wall_capacity, walls))
         walls = find_walls(l, q);
     l->walls = int_min(walls, l->wall_capacity);
     *lost += walls - l->walls;
@@ -135,7 +122,7 @@ static void list_walls(pair_list *l, const pair_query *q, int *lost)
 static void list_all(pair_list *l, const pair_query *q, int *lost)
 {
     int n = broad_pairs(&l->broad, l->listed, q->moves, l->pair, l->capacity);
-    if (n > l->capacity && grow(&l->pair, &l->capacity, n))
+    if (n > l->capacity && TABLE_RENEW(l->pair, l->capacity, n))
         n = broad_pairs(&l->broad, l->listed, q->moves, l->pair, l->capacity);
     l->count = int_min(n, l->capacity);
     *lost = n - l->count;
@@ -190,7 +177,7 @@ static void merge(pair_list *l, int fresh)
 static void list_some(pair_list *l, const pair_query *q, int *lost)
 {
     int n = find_fresh(l, q), room = l->capacity;
-    if (n > l->fresh_capacity && grow(&l->fresh, &l->fresh_capacity, n))
+    if (n > l->fresh_capacity && TABLE_RENEW(l->fresh, l->fresh_capacity, n))
         n = find_fresh(l, q);
     int found = int_min(n, l->fresh_capacity);
     broad_order(l->fresh, found);
@@ -282,8 +269,8 @@ void pair_list_renew(pair_list *l, int b)
 //<
 
 //> pairs-init
-//>   The rest is memory. The list of pairs grows by half when it is too short,
-//>   and keeps nothing, because it is about to be made again.
+//>   The rest is memory. The list of pairs that is too short
+//>   keeps nothing when it grows, because it is about to be made again.
 static bool make_room(pair_list *l, int bodies)
 {
     int room = table_room(bodies, l->room), n = int_max(room, 1);
@@ -293,8 +280,8 @@ static bool make_room(pair_list *l, int bodies)
     TABLE_GROW(ok, l->is_new, l->bodies, n);
     TABLE_GROW(ok, l->is_settled, l->bodies, n);
     TABLE_GROW(ok, l->loose, l->bodies, n);
-    if (!l->pair) ok = ok && grow(&l->pair, &l->capacity, 8 * n);
-    if (!l->fresh) ok = ok && grow(&l->fresh, &l->fresh_capacity, n);
+    if (!l->pair) ok = ok && TABLE_RENEW(l->pair, l->capacity, 8 * n);
+    if (!l->fresh) ok = ok && TABLE_RENEW(l->fresh, l->fresh_capacity, n);
     if (ok) l->room = room;
     return ok;
 }

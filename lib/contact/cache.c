@@ -57,14 +57,9 @@ static int compare(const int a[2], const int b[2])
 
 static bool grow_spare(cache_list *l, int need)
 {
-    int room = need + need / 8 + 64;
-    if (need <= l->spare_capacity) return true;
-    free(l->spare);
-    free(l->spare_key);
-    l->spare = malloc((size_t)room * sizeof *l->spare);
-    l->spare_key = malloc((size_t)room * sizeof *l->spare_key);
-    l->spare_capacity = l->spare && l->spare_key ? room : 0;
-    return l->spare_capacity > 0;
+    int room = l->spare_capacity;
+    return TABLE_RENEW(l->spare, room, need)
+        && TABLE_RENEW(l->spare_key, l->spare_capacity, need);
 }
 
 static void swap_spare(cache_list *l, int count)
@@ -711,16 +706,9 @@ static void reach_chunk(void *data, int item)
 
 static bool grow_active(contact_cache *c, int need)
 {
-    size_t room = (size_t)need + (size_t)need / 8 + 64;
-    if (need <= c->active_capacity) return true;
-    free(c->active);
-    free(c->of);
-    free(c->reach);
-    c->active = malloc(room * sizeof *c->active);
-    c->of = malloc(room * sizeof *c->of);
-    c->reach = malloc(room * sizeof *c->reach);
-    c->active_capacity = c->active && c->of && c->reach ? (int)room : 0;
-    return c->active_capacity > 0;
+    int of = c->active_capacity, reach = of;
+    return TABLE_RENEW(c->of, of, need) && TABLE_RENEW(c->reach, reach, need)
+        && TABLE_RENEW(c->active, c->active_capacity, need);
 }
 
 static void gather_active(contact_cache *c, const cache_frame *f)

@@ -2,6 +2,7 @@
 //>   What a slider touches: a side of a piece, or of a plane.
 #include "seams.h"
 #include "manifold.h"
+#include "table.h"
 
 #include <stddef.h>
 #include <stdlib.h>
@@ -551,17 +552,6 @@ static bool is_new_on_floor(const cache_frame *f, const cache_pair *p,
     return p->is_asked && p->count > 0 && seams_slider(f, key[0], key[1]) >= 0;
 }
 
-static bool make_lists(contact_cache *c)
-{
-    int need = 2 * c->pairs.count + c->walls.count;
-    if (need <= c->met_capacity) return true;
-    free(c->met);
-    c->met_capacity = need + need / 8 + 64;
-    c->met = malloc((size_t)c->met_capacity * sizeof *c->met);
-    if (!c->met) c->met_capacity = 0;
-    return c->met != NULL;
-}
-
 // Calls with `do_write` false count; then places are known.
 static void list_met(contact_cache *c, const cache_frame *f, bool do_write)
 {
@@ -675,7 +665,8 @@ void seams_mend(contact_cache *c, const cache_frame *f)
     for (int k = 0; k < c->pairs.count && !is_any; k++)
         is_any = is_new_on_floor(f, &c->pairs.pair[k], c->pairs.key[k]);
     if (!is_any) return;
-    if (!make_lists(c)) {
+    if (!TABLE_RENEW(c->met, c->met_capacity,
+                     2 * c->pairs.count + c->walls.count)) {
         c->lost++;
         return;
     }

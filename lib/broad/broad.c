@@ -23,23 +23,12 @@ int broad_boxes(int bodies)
 // Nothing is kept but the order: the rest is made by every call.
 static bool grow(broad *s, int bodies)
 {
-    int n = table_room(bodies, s->room), places = LANES_A_BODY * n;
+    int n = table_room(bodies, s->room);
     bool ok = true;
     if (s->order && bodies <= s->room) return true;
-    TABLE_GROW(ok, s->order, s->bodies, n);
-    TABLE_GROW(ok, s->tree, s->in_tree, n);
-    TABLE_GROW(ok, s->place, s->bodies, n);
-    TABLE_GROW(ok, s->key, 0, n);
-    TABLE_GROW(ok, s->box, 2 * s->leaves, broad_boxes(n));
-    TABLE_GROW(ok, s->low, 0, n);
-    TABLE_GROW(ok, s->high, 0, n);
-    TABLE_GROW(ok, s->first, 0, n + 1);
-    TABLE_GROW(ok, s->reach, 0, n);
-    TABLE_GROW(ok, s->lane, 0, n + 2);
-    TABLE_GROW(ok, s->start, 0, places);
-    TABLE_GROW(ok, s->line, 0, places);
-    TABLE_GROW(ok, s->who, 0, places);
-    TABLE_GROW(ok, s->mover, 0, places + 1);
+#define GROW(table, kept, room) TABLE_GROW(ok, s->table, kept, room);
+    BROAD_TABLES(GROW, GROW, s, n)
+#undef GROW
     if (ok) s->room = n;
     return ok;
 }
@@ -57,20 +46,9 @@ status broad_grow(broad *s, int bodies)
 
 void broad_free(broad *s)
 {
-    free(s->order);
-    free(s->tree);
-    free(s->place);
-    free(s->key);
-    free(s->box);
-    free(s->low);
-    free(s->high);
-    free(s->first);
-    free(s->reach);
-    free(s->lane);
-    free(s->start);
-    free(s->line);
-    free(s->who);
-    free(s->mover);
+#define FREE(table, kept, room) free(s->table);
+    BROAD_TABLES(FREE, FREE, s, 0)
+#undef FREE
     *s = (broad){ .bodies = 0 };
 }
 //<

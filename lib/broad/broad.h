@@ -57,6 +57,19 @@ typedef struct broad {
 } broad;
 //<
 
+//> broad-tables
+//>   One list names all of these, to be grown, freed and saved: what it keeps when
+//>   it has room for n bodies, and how much room. A saved one keeps its order.
+#define BROAD_TABLES(KEPT, ROOM, s, n)                                     \
+    KEPT(order, (s)->bodies, n)                                            \
+    ROOM(tree, (s)->in_tree, n) ROOM(place, (s)->bodies, n)                \
+    ROOM(box, 2 * (s)->leaves, broad_boxes(n)) ROOM(key, 0, n)             \
+    ROOM(low, 0, n) ROOM(high, 0, n) ROOM(first, 0, (n) + 1)               \
+    ROOM(reach, 0, n) ROOM(lane, 0, (n) + 2)                               \
+    ROOM(start, 0, LANES_A_BODY * (n)) ROOM(line, 0, LANES_A_BODY * (n))   \
+    ROOM(who, 0, LANES_A_BODY * (n)) ROOM(mover, 0, LANES_A_BODY * (n) + 1)
+//<
+
 //> broad-declare
 //>   Two functions give the same answer in different times, so that one can
 //>   test the other.

@@ -27,23 +27,13 @@ void shape_store(shape *x, store *s)
 // Of its tables only the order outlives a call.
 static void broad_store(broad *x, store *s)
 {
-    int n = x->room, places = LANES_A_BODY * n;
-    STORE_TABLE(s, x->order, x->bodies, n);
-    STORE_ROOM(s, x->tree, n);
-    STORE_ROOM(s, x->place, n);
-    STORE_ROOM(s, x->key, n);
-    STORE_ROOM(s, x->box, broad_boxes(n));
+#define KEPT(table, kept, room) STORE_TABLE(s, x->table, kept, room);
+#define ROOM(table, kept, room) STORE_ROOM(s, x->table, room);
+    BROAD_TABLES(KEPT, ROOM, x, x->room)
+#undef KEPT
+#undef ROOM
     STORE_FORGET(s, x->in_tree);
     STORE_FORGET(s, x->leaves);
-    STORE_ROOM(s, x->low, n);
-    STORE_ROOM(s, x->high, n);
-    STORE_ROOM(s, x->first, n + 1);
-    STORE_ROOM(s, x->reach, n);
-    STORE_ROOM(s, x->lane, n + 2);
-    STORE_ROOM(s, x->start, places);
-    STORE_ROOM(s, x->line, places);
-    STORE_ROOM(s, x->who, places);
-    STORE_ROOM(s, x->mover, places + 1);
 }
 
 static void pair_list_store(pair_list *l, store *s)

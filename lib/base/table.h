@@ -66,6 +66,10 @@ static inline bool table_grow_aligned(void *array, int kept, int room,
     return true;
 }
 
+// Exchanges two elements of that type.
+#define SWAP(type, a, b) \
+    do { type was_ = (a); (a) = (b); (b) = was_; } while (0)
+
 // Gives it room for `need` elements, if it has less, and for some more, and keeps
 // nothing; it is zero, for what is never set may be saved.  False, changing
 // nothing, if memory is refused.

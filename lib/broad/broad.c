@@ -384,11 +384,8 @@ static void sort_pairs(broad *s, int (*pair)[2])
         while (s->mover[a] < end) {
             int *here = pair[s->mover[a]];
             int *home = pair[s->mover[here[0]]++];
-            int a_there = home[0], b_there = home[1];
-            home[0] = here[0];
-            home[1] = here[1];
-            here[0] = a_there;
-            here[1] = b_there;
+            SWAP(int, here[0], home[0]);
+            SWAP(int, here[1], home[1]);
         }
         sort_by_b(pair + s->first[a], end - s->first[a]);
     }

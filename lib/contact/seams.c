@@ -108,13 +108,6 @@ static bool is_in_ball(const slider *s, int b, vec3 p, real flush)
     return vec3_length_squared(d) <= far * far;
 }
 
-static vec3 face_area(const collider *x, int face)
-{
-    const int *v = &x->shape->face[3 * face];
-    return vec3_cross(vec3_sub(x->at[v[1]], x->at[v[0]]),
-                      vec3_sub(x->at[v[2]], x->at[v[0]]));
-}
-
 // Is p in body or plane b, or outside by no more than flush?  (A round body
 // hides nothing.)
 static bool holds_point(const slider *s, int b, vec3 p, real flush)
@@ -126,7 +119,7 @@ static bool holds_point(const slider *s, int b, vec3 p, real flush)
     collider x = asked_body(s, b);
     if (x.shape->round > 0 || !is_in_ball(s, b, p, flush)) return false;
     for (int k = 0; k < x.shape->mesh.faces; k++) {
-        vec3 m = face_area(&x, k);
+        vec3 m = face_area(x.shape, x.at, k);
         real over = vec3_dot(m, vec3_sub(p, x.at[x.shape->face[3 * k]]));
         if (over > 0 && over * over > flush * flush * vec3_dot(m, m))
             return false;
@@ -221,7 +214,7 @@ static void straighten(const slider *s, side *x)
     if (b.shape->round > 0 || turns_of(s, x->b) > STAYS * s->f->now[s->a].radius)
         return;
     for (int k = 0; k < b.shape->mesh.faces; k++) {
-        vec3 m = face_area(&b, k);
+        vec3 m = face_area(b.shape, b.at, k);
         real along = vec3_dot(m, x->n), square = vec3_dot(m, m);
         if (!(along > 0 && along * along > most * square)) continue;
         most = along * along / square;
@@ -356,7 +349,7 @@ static real best_face(const slider *s, const side *x, vec3 *best)
     collider b = asked_body(s, x->b);
     real most = -HUGE_VAL;
     for (int k = 0; k < b.shape->mesh.faces; k++) {
-        vec3 m = vec3_unit(face_area(&b, k));
+        vec3 m = vec3_unit(face_area(b.shape, b.at, k));
         if (vec3_dot(m, x->n) > ALIKE) continue;
         real apart = apart_along(s, x->b, m);
         if (apart > most) most = apart, *best = m;

@@ -298,13 +298,9 @@ status pair_list_grow(pair_list *l, int bodies)
 void pair_list_free(pair_list *l)
 {
     broad_free(&l->broad);
-    free(l->pair);
-    free(l->fresh);
-    free(l->wall);
-    free(l->listed);
-    free(l->is_new);
-    free(l->is_settled);
-    free(l->loose);
+#define FREE(table, kept, room) free(l->table);
+    PAIR_TABLES(FREE, FREE, l)
+#undef FREE
     *l = (pair_list){ .bodies = 0 };
 }
 //<

@@ -55,6 +55,13 @@ typedef struct {
     int  (*fresh)[2];   // [fresh_capacity] of these
     int    fresh_capacity;
 } pair_list;
+
+// Its tables, and for how much there is room: a saved list keeps what is KEPT.
+#define PAIR_TABLES(KEPT, ROOM, l)                                            \
+    KEPT(listed, (l)->bodies, (l)->room) KEPT(is_new, (l)->bodies, (l)->room) \
+    KEPT(is_settled, 0, (l)->room) ROOM(loose, 0, (l)->room)                  \
+    ROOM(pair, 0, (l)->capacity) ROOM(wall, 0, (l)->wall_capacity)            \
+    ROOM(fresh, 0, (l)->fresh_capacity)
 //<
 
 //> pairs-declare

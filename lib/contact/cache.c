@@ -808,17 +808,9 @@ void cache_free(contact_cache *c)
         free(list[k]->spare);
         free(list[k]->spare_key);
     }
-    free(c->entry);
-    free(c->was);
-    free(c->first);
-    free(c->last);
-    free(c->met);
-    free(c->placed);
-    free(c->placing);
-    free(c->vertex);
-    free(c->active);
-    free(c->of);
-    free(c->reach);
+#define FREE(table, kept, room) free(c->table);
+    CACHE_TABLES(FREE, FREE, c)
+#undef FREE
     *c = (contact_cache){ .free_entry = -1 };
 }
 //<

@@ -353,18 +353,16 @@ static void sweep(broad *s, pair_list *out)
 //<
 
 //> broad-order-pairs
-// Sorts pairs of one a by b: Shell's passes again, now over b.  No two are
-// equal.
-static void sort_by_b(int (*pair)[2], int n)
+void broad_order(int (*pair)[2], int n)
 {
     int gap = 1;
     while (gap < n / 9) gap = 3 * gap + 1;
     for (; gap > 0; gap /= 3)
         for (int k = gap; k < n; k++) {
-            int b = pair[k][1], at = k;
-            for (; at >= gap && pair[at - gap][1] > b; at -= gap)
-                pair[at][1] = pair[at - gap][1];
-            pair[at][1] = b;
+            int here[2] = { pair[k][0], pair[k][1] }, at = k;
+            for (; at >= gap && broad_is_before(here, pair[at - gap]); at -= gap)
+                memcpy(pair[at], pair[at - gap], sizeof here);
+            memcpy(pair[at], here, sizeof here);
         }
 }
 
@@ -387,26 +385,8 @@ static void sort_pairs(broad *s, int (*pair)[2])
             SWAP(int, here[0], home[0]);
             SWAP(int, here[1], home[1]);
         }
-        sort_by_b(pair + s->first[a], end - s->first[a]);
+        broad_order(pair + s->first[a], end - s->first[a]);
     }
-}
-
-static int is_before(const int x[2], const int y[2])
-{
-    return x[0] < y[0] || (x[0] == y[0] && x[1] < y[1]);
-}
-
-void broad_order(int (*pair)[2], int n)
-{
-    int gap = 1;
-    while (gap < n / 9) gap = 3 * gap + 1;
-    for (; gap > 0; gap /= 3)
-        for (int k = gap; k < n; k++) {
-            int here[2] = { pair[k][0], pair[k][1] }, at = k;
-            for (; at >= gap && is_before(here, pair[at - gap]); at -= gap)
-                memcpy(pair[at], pair[at - gap], sizeof here);
-            memcpy(pair[at], here, sizeof here);
-        }
 }
 //<
 
@@ -474,11 +454,9 @@ static shadow around(shadow x, shadow y)
                      x.high > y.high ? x.high : y.high };
 }
 
-static int least(int a, int b) { return a < b ? a : b; }
-
 static void box_leaf(broad *s, const sphere *ball, int leaf)
 {
-    int end = least((leaf + 1) * A_LEAF, s->in_tree);
+    int end = int_min((leaf + 1) * A_LEAF, s->in_tree);
     for (int axis = 0; axis < 3; axis++) {
         shadow *box = &s->box[s->leaves + leaf][axis];
         *box = NOTHING;
@@ -581,14 +559,14 @@ typedef struct {
 
 static void ask_leaf(tree_query *q, int leaf)
 {
-    int end = least((leaf + 1) * A_LEAF, q->s->in_tree), b = q->b;
+    int end = int_min((leaf + 1) * A_LEAF, q->s->in_tree), b = q->b;
     for (int k = leaf * A_LEAF; k < end; k++) {
         int c = q->s->tree[k];
         if (c == b || (c < b && q->is_asked[c])) continue;
         if (ball_is_empty(q->ball[c])) continue;
         if ((q->moves[b] || q->moves[c])
             && balls_meet(q->ball[b], q->ball[c]))
-            add_pair(&q->out, least(b, c), b < c ? c : b);
+            add_pair(&q->out, int_min(b, c), b < c ? c : b);
     }
 }
 

@@ -105,6 +105,10 @@ int broad_near(const broad *s, const sphere *ball, const char *moves,
 
 // Sorts n pairs by a, then by b, where they lie: Shell's passes again.
 void broad_order(int (*pair)[2], int n);
+static inline bool broad_is_before(const int x[2], const int y[2])
+{
+    return x[0] < y[0] || (x[0] == y[0] && x[1] < y[1]);
+}
 
 // The same answer by looking at every pair (the paper's way).
 int broad_pairs_all(const sphere *ball, const char *moves, int bodies,

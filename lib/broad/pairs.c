@@ -155,18 +155,13 @@ static void drop_old(pair_list *l)
     l->count = kept;
 }
 
-static bool comes_after(const int x[2], const int y[2])
-{
-    return x[0] > y[0] || (x[0] == y[0] && x[1] > y[1]);
-}
-
 // Two sorted lists become one, from the end on.
 static void merge(pair_list *l, int fresh)
 {
     int i = l->count - 1, j = fresh - 1;
     l->count += fresh;
     for (int k = l->count - 1; j >= 0; k--) {
-        bool is_old = i >= 0 && comes_after(l->pair[i], l->fresh[j]);
+        bool is_old = i >= 0 && broad_is_before(l->fresh[j], l->pair[i]);
         memcpy(l->pair[k], is_old ? l->pair[i--] : l->fresh[j--],
                sizeof l->pair[k]);
     }

@@ -548,12 +548,6 @@ static bool query_ahead(const cache_frame *f, const contact *c, collider a,
 
 //> cache-pair
 //>   The answer goes into its entry, and inherits the impulses of the last one.
-static collider placed_body(const contact_cache *c, const cache_frame *f, int b)
-{
-    const struct placing *p = &c->placing[b];
-    return (collider){ f->body[b].shape, c->vertex + p->first, p->in_range };
-}
-
 // What it carried, for seams that find a contact on a floor again.
 static cache_load load_of(const contact *was, bool is_a)
 {
@@ -575,7 +569,7 @@ static void query_pair(contact_cache *c, const cache_frame *f, cache_pair *p)
     if (p->count > 0) was = *now;
     else was = (contact){ .count = 0 };     // bequeaths nothing
     int a = now->piece_a, b = now->piece_b;
-    collider x = placed_body(c, f, a), y = placed_body(c, f, b);
+    collider x = cache_collider(c, f, a), y = cache_collider(c, f, b);
     swept_status swept = SWEPT_OVERLAP;
     now->count = 0;
     // (What was out of reach is as if it had not been listed.)
@@ -609,7 +603,7 @@ static void query_wall(contact_cache *c, const cache_frame *f, cache_pair *p)
     contact *now = &c->entry[p->entry].contact, was = *now;
     int a = now->piece_a;
     plane wall = f->plane[-1 - now->piece_b];
-    collider body = placed_body(c, f, a);
+    collider body = cache_collider(c, f, a);
     if (p->count == 0) was.count = 0;       // bequeaths nothing
     real slack = slack_of(c, f, a, -1), reach = reach_of(f, a, -1);
     manifold m = manifold_on_plane(&body, wall.normal, wall.offset,

@@ -151,6 +151,14 @@ typedef struct {
 //<
 
 //> cache-own
+// Body b with its vertices where they were last placed.
+static inline collider cache_collider(const contact_cache *c,
+                                      const cache_frame *f, int b)
+{
+    const struct placing *p = &c->placing[b];
+    return (collider){ f->body[b].shape, c->vertex + p->first, p->in_range };
+}
+
 // Where do both push that touch so?  A vertex takes its place along, while the
 // face under it slides: see contact_point.  What is rounder rolls over a vertex,
 // and touches below its own core.

@@ -69,13 +69,6 @@ static void see_side(const slider *s, side *x)
 //> seams-hold
 //>   Three questions to a piece: how high does it reach, does it stand out
 //>   further than that, and does a point lie in it?
-static collider asked_body(const slider *s, int b)
-{
-    const struct placing *p = &s->c->placing[b];
-    return (collider){ s->f->body[b].shape, s->c->vertex + p->first,
-                       p->in_range };
-}
-
 static int furthest(const collider *x, vec3 d)
 {
     int best = 0;
@@ -87,7 +80,7 @@ static int furthest(const collider *x, vec3 d)
 // m, of body b along n, with what is round of it.
 static real height_of(const slider *s, int b, vec3 n)
 {
-    collider x = asked_body(s, b);
+    collider x = cache_collider(s->c, s->f, b);
     return vec3_dot(x.at[furthest(&x, n)], n) + x.shape->round;
 }
 
@@ -116,7 +109,7 @@ static bool holds_point(const slider *s, int b, vec3 p, real flush)
         plane w = s->f->plane[-1 - b];
         return vec3_dot(w.normal, p) <= w.offset + flush;
     }
-    collider x = asked_body(s, b);
+    collider x = cache_collider(s->c, s->f, b);
     if (x.shape->round > 0 || !is_in_ball(s, b, p, flush)) return false;
     for (int k = 0; k < x.shape->mesh.faces; k++) {
         vec3 m = face_area(x.shape, x.at, k);
@@ -207,7 +200,7 @@ static bool is_behind_any(const slider *s, const side *b)
 // that of a floor that turns in the frame.)
 static void straighten(const slider *s, side *x)
 {
-    collider b = asked_body(s, x->b);
+    collider b = cache_collider(s->c, s->f, x->b);
     contact *t = x->contact;
     real most = ALIKE * ALIKE;      // the cosine, squared
     vec3 n = x->n;
@@ -281,7 +274,8 @@ static real reach_of(const slider *s, const contact *x)
 static manifold find_along(const slider *s, const contact *x, vec3 m)
 {
     const cache_frame *f = s->f;
-    collider a = asked_body(s, x->piece_a), b = asked_body(s, x->piece_b);
+    collider a = cache_collider(s->c, f, x->piece_a);
+    collider b = cache_collider(s->c, f, x->piece_b);
     vec3 moved[MOST_VERTICES];
     if (a.shape->particles > MOST_VERTICES) return (manifold){ .count = 0 };
     vec3 way = vec3_sub(f->ahead[x->piece_a].way, f->ahead[x->piece_b].way);
@@ -346,7 +340,7 @@ static real apart_along(const slider *s, int b, vec3 m)
 //>   furthest outside of.
 static real best_face(const slider *s, const side *x, vec3 *best)
 {
-    collider b = asked_body(s, x->b);
+    collider b = cache_collider(s->c, s->f, x->b);
     real most = -HUGE_VAL;
     for (int k = 0; k < b.shape->mesh.faces; k++) {
         vec3 m = vec3_unit(face_area(b.shape, b.at, k));
@@ -448,7 +442,7 @@ static bool is_over(const slider *s, const int *of, int n, vec3 p)
     feature_point foot;
     for (int i = 0; i < n; i++) {
         const side *y = &s->side[of[i]];
-        collider piece = asked_body(s, y->b);
+        collider piece = cache_collider(s->c, s->f, y->b);
         if (find_foot(&piece, y->n, p, &foot)) return true;
     }
     return false;
@@ -459,7 +453,7 @@ static bool is_over(const slider *s, const int *of, int n, vec3 p)
 static void take_plane(const slider *s, side *x, const manifold *m)
 {
     contact *t = x->contact;
-    collider a = asked_body(s, s->a);
+    collider a = cache_collider(s->c, s->f, s->a);
     const rigid_frame *floor = &s->c->placed[x->b];
     t->count = m->count;
     t->is_ahead = false;
@@ -493,7 +487,7 @@ static void carry_floor(const slider *s, const side *x, const int *of, int n)
 static void merge_floor(slider *s, const int *of, int n)
 {
     side *x = &s->side[of[0]];
-    collider a = asked_body(s, s->a);
+    collider a = cache_collider(s->c, s->f, s->a);
     manifold m = manifold_on_plane(&a, x->n, x->height, reach_of(s, x->contact),
                                    s->f->ahead[s->a].angle);
     for (int k = 0; k < m.count; k++)

@@ -354,6 +354,7 @@ static void wake_joined(world *w, int b)
 void world_wake_around(world *w, int b)
 {
     sphere own = world_ball(w, b);
+    world_wake(w, b);
     wake_joined(w, b);
     for (int k = 0; k < w->bodies && w->sleep.sleepers > 0; k++) {
         if (!w->sleep.asleep[k]) continue;
@@ -779,7 +780,6 @@ static void leave(world *w, int b)
 void world_remove(world *w, int b)
 {
     assert(b >= 0 && b < w->bodies && !body_is_gone(&w->body[b]));
-    world_wake(w, b);
     world_wake_around(w, b);
     leave_joints(w, b);
     cache_forget(&w->rigid.cache, &b, 1);

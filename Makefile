@@ -85,7 +85,6 @@ define ORDER
 18/hear
 18/step
 18/measure
-18/world_scene
 19/store
 19/snapshot
 19/surface

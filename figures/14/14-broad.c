@@ -140,7 +140,7 @@ static void add(cost *sum, cost c)
 static void run(int scenes, int n, vec3 box, int frames, cost *sum, cost *first)
 {
     for (int k = 0; k < scenes; k++)
-        if (!broad_init(&state[k], n).ok) exit(1);
+        if (!broad_grow(&state[k], n).ok) exit(1);
     add(first, frame(scenes, n));
     for (int k = 0; k < frames; k++) {
         fly(scenes * n, box);

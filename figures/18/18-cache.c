@@ -11,6 +11,7 @@
 // with #cache are the table of chapter 18.
 
 #include "clock.h"
+#include "forget.h"
 #include "step.h"
 #include "world_scene.h"
 

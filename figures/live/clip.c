@@ -8,6 +8,7 @@
 #define manifold_find clip_find
 #define manifold_on_plane clip_on_plane
 #define face_looks clip_looks
+#define face_area clip_area
 #include "../../lib/query/manifold.c"
 
 enum { TURN };                                  // dial

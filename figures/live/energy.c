@@ -2,6 +2,7 @@
 // or forgets it; and where the energy is (chapter 18).
 
 #include "capsule.h"
+#include "forget.h"
 #include "ledger.h"
 #include "live.h"
 #include "live_world.h"

@@ -52,7 +52,7 @@ static void tell(void)
 static void begin(void)
 {
     for (int k = 0; k < BALLS; k++) ball[k] = START[k];
-    if (!is_ready) is_ready = broad_init(&line, BALLS).ok;
+    if (!is_ready) is_ready = broad_grow(&line, BALLS).ok;
     if (is_ready) find();
     tell();
 }

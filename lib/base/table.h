@@ -66,6 +66,30 @@ static inline bool table_grow_aligned(void *array, int kept, int room,
     return true;
 }
 
+// Exchanges two elements of that type.
+#define SWAP(type, a, b) \
+    do { type was_ = (a); (a) = (b); (b) = was_; } while (0)
+
+// Gives it room for `need` elements, if it has less, and for some more, and keeps
+// nothing; it is zero, for what is never set may be saved.  False, changing
+// nothing, if memory is refused.
+static inline bool table_renew(void *array, int *room, int need, size_t size)
+{
+    enum { MOST = 1 << 28 };
+    void *was, *more;
+    if (need <= *room) return true;
+    if (need > MOST) return false;
+    more = calloc((size_t)need + (size_t)need / 8 + 4, size);
+    if (!more) return false;
+    memcpy(&was, array, sizeof was);
+    memcpy(array, &more, sizeof more);
+    free(was);
+    *room = need + need / 8 + 4;
+    return true;
+}
+#define TABLE_RENEW(array, room, need) \
+    table_renew(&(array), &(room), (need), sizeof *(array))
+
 // One of several tables of one kind of thing: *ok is false, and stays so, if one
 // of them found no memory.
 #define TABLE_GROW(ok, array, kept, room) \

@@ -9,14 +9,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-status broad_init(broad *s, int bodies)
-{
-    *s = (broad){ .bodies = 0 };
-    status done = broad_grow(s, bodies);
-    if (!done.ok) broad_free(s);
-    return done;
-}
-
 // In a leaf of the tree.  The fewer, the fewer balls are
 // compared, and the more memory the boxes take.
 enum { A_LEAF = 4 };                        // tuned, balls
@@ -31,23 +23,12 @@ int broad_boxes(int bodies)
 // Nothing is kept but the order: the rest is made by every call.
 static bool grow(broad *s, int bodies)
 {
-    int n = table_room(bodies, s->room), places = LANES_A_BODY * n;
+    int n = table_room(bodies, s->room);
     bool ok = true;
     if (s->order && bodies <= s->room) return true;
-    TABLE_GROW(ok, s->order, s->bodies, n);
-    TABLE_GROW(ok, s->tree, s->in_tree, n);
-    TABLE_GROW(ok, s->place, s->bodies, n);
-    TABLE_GROW(ok, s->key, 0, n);
-    TABLE_GROW(ok, s->box, 2 * s->leaves, broad_boxes(n));
-    TABLE_GROW(ok, s->low, 0, n);
-    TABLE_GROW(ok, s->high, 0, n);
-    TABLE_GROW(ok, s->first, 0, n + 1);
-    TABLE_GROW(ok, s->reach, 0, n);
-    TABLE_GROW(ok, s->lane, 0, n + 2);
-    TABLE_GROW(ok, s->start, 0, places);
-    TABLE_GROW(ok, s->line, 0, places);
-    TABLE_GROW(ok, s->who, 0, places);
-    TABLE_GROW(ok, s->mover, 0, places + 1);
+#define GROW(table, kept, room) TABLE_GROW(ok, s->table, kept, room);
+    BROAD_TABLES(GROW, GROW, s, n)
+#undef GROW
     if (ok) s->room = n;
     return ok;
 }
@@ -65,20 +46,9 @@ status broad_grow(broad *s, int bodies)
 
 void broad_free(broad *s)
 {
-    free(s->order);
-    free(s->tree);
-    free(s->place);
-    free(s->key);
-    free(s->box);
-    free(s->low);
-    free(s->high);
-    free(s->first);
-    free(s->reach);
-    free(s->lane);
-    free(s->start);
-    free(s->line);
-    free(s->who);
-    free(s->mover);
+#define FREE(table, kept, room) free(s->table);
+    BROAD_TABLES(FREE, FREE, s, 0)
+#undef FREE
     *s = (broad){ .bodies = 0 };
 }
 //<
@@ -383,18 +353,16 @@ static void sweep(broad *s, pair_list *out)
 //<
 
 //> broad-order-pairs
-// Sorts pairs of one a by b: Shell's passes again, now over b.  No two are
-// equal.
-static void sort_by_b(int (*pair)[2], int n)
+void broad_order(int (*pair)[2], int n)
 {
     int gap = 1;
     while (gap < n / 9) gap = 3 * gap + 1;
     for (; gap > 0; gap /= 3)
         for (int k = gap; k < n; k++) {
-            int b = pair[k][1], at = k;
-            for (; at >= gap && pair[at - gap][1] > b; at -= gap)
-                pair[at][1] = pair[at - gap][1];
-            pair[at][1] = b;
+            int here[2] = { pair[k][0], pair[k][1] }, at = k;
+            for (; at >= gap && broad_is_before(here, pair[at - gap]); at -= gap)
+                memcpy(pair[at], pair[at - gap], sizeof here);
+            memcpy(pair[at], here, sizeof here);
         }
 }
 
@@ -414,32 +382,11 @@ static void sort_pairs(broad *s, int (*pair)[2])
         while (s->mover[a] < end) {
             int *here = pair[s->mover[a]];
             int *home = pair[s->mover[here[0]]++];
-            int a_there = home[0], b_there = home[1];
-            home[0] = here[0];
-            home[1] = here[1];
-            here[0] = a_there;
-            here[1] = b_there;
+            SWAP(int, here[0], home[0]);
+            SWAP(int, here[1], home[1]);
         }
-        sort_by_b(pair + s->first[a], end - s->first[a]);
+        broad_order(pair + s->first[a], end - s->first[a]);
     }
-}
-
-static int is_before(const int x[2], const int y[2])
-{
-    return x[0] < y[0] || (x[0] == y[0] && x[1] < y[1]);
-}
-
-void broad_order(int (*pair)[2], int n)
-{
-    int gap = 1;
-    while (gap < n / 9) gap = 3 * gap + 1;
-    for (; gap > 0; gap /= 3)
-        for (int k = gap; k < n; k++) {
-            int here[2] = { pair[k][0], pair[k][1] }, at = k;
-            for (; at >= gap && is_before(here, pair[at - gap]); at -= gap)
-                memcpy(pair[at], pair[at - gap], sizeof here);
-            memcpy(pair[at], here, sizeof here);
-        }
 }
 //<
 
@@ -507,11 +454,9 @@ static shadow around(shadow x, shadow y)
                      x.high > y.high ? x.high : y.high };
 }
 
-static int least(int a, int b) { return a < b ? a : b; }
-
 static void box_leaf(broad *s, const sphere *ball, int leaf)
 {
-    int end = least((leaf + 1) * A_LEAF, s->in_tree);
+    int end = int_min((leaf + 1) * A_LEAF, s->in_tree);
     for (int axis = 0; axis < 3; axis++) {
         shadow *box = &s->box[s->leaves + leaf][axis];
         *box = NOTHING;
@@ -614,14 +559,14 @@ typedef struct {
 
 static void ask_leaf(tree_query *q, int leaf)
 {
-    int end = least((leaf + 1) * A_LEAF, q->s->in_tree), b = q->b;
+    int end = int_min((leaf + 1) * A_LEAF, q->s->in_tree), b = q->b;
     for (int k = leaf * A_LEAF; k < end; k++) {
         int c = q->s->tree[k];
         if (c == b || (c < b && q->is_asked[c])) continue;
         if (ball_is_empty(q->ball[c])) continue;
         if ((q->moves[b] || q->moves[c])
             && balls_meet(q->ball[b], q->ball[c]))
-            add_pair(&q->out, least(b, c), b < c ? c : b);
+            add_pair(&q->out, int_min(b, c), b < c ? c : b);
     }
 }
 

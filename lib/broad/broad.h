@@ -57,12 +57,24 @@ typedef struct broad {
 } broad;
 //<
 
+//> broad-tables
+//>   One list names all of these, to be grown, freed and saved: what it keeps when
+//>   it has room for n bodies, and how much room. A saved one keeps its order.
+#define BROAD_TABLES(KEPT, ROOM, s, n)                                     \
+    KEPT(order, (s)->bodies, n)                                            \
+    ROOM(tree, (s)->in_tree, n) ROOM(place, (s)->bodies, n)                \
+    ROOM(box, 2 * (s)->leaves, broad_boxes(n)) ROOM(key, 0, n)             \
+    ROOM(low, 0, n) ROOM(high, 0, n) ROOM(first, 0, (n) + 1)               \
+    ROOM(reach, 0, n) ROOM(lane, 0, (n) + 2)                               \
+    ROOM(start, 0, LANES_A_BODY * (n)) ROOM(line, 0, LANES_A_BODY * (n))   \
+    ROOM(who, 0, LANES_A_BODY * (n)) ROOM(mover, 0, LANES_A_BODY * (n) + 1)
+//<
+
 //> broad-declare
 //>   Two functions give the same answer in different times, so that one can
 //>   test the other.
-// For that many bodies, >= 0.  Fails, leaving *s empty, if memory is refused.
-status broad_init(broad *s, int bodies);
-// For more of them, if there were fewer.  Fails, changing nothing.
+// For that many bodies, >= 0, if it was for fewer; at first a zeroed one is for
+// none.  Fails, changing nothing, if memory is refused.
 status broad_grow(broad *s, int bodies);
 void   broad_free(broad *s);            // an empty or zeroed one is fine
 
@@ -93,6 +105,10 @@ int broad_near(const broad *s, const sphere *ball, const char *moves,
 
 // Sorts n pairs by a, then by b, where they lie: Shell's passes again.
 void broad_order(int (*pair)[2], int n);
+static inline bool broad_is_before(const int x[2], const int y[2])
+{
+    return x[0] < y[0] || (x[0] == y[0] && x[1] < y[1]);
+}
 
 // The same answer by looking at every pair (the paper's way).
 int broad_pairs_all(const sphere *ball, const char *moves, int bodies,

@@ -84,20 +84,6 @@ static void settle(pair_list *l, const pair_query *q)
     l->looses = q->awakes;
 }
 
-// Room for half as many again; the list is made again, so nothing is kept.
-static bool grow(int (**list)[2], int *capacity, int need)
-{
-    if (need <= *capacity) return true;
-    if (need > 1 << 28) return false;
-    int room = need + need / 2 + 64;
-    int (*more)[2] = malloc((size_t)room * sizeof *more);
-    if (!more) return false;
-    free(*list);
-    *list = more;
-    *capacity = room;
-    return true;
-}
-
 // Which planes is each ball near?  Returns how many, stored or not.
 static int find_walls(pair_list *l, const pair_query *q)
 {
@@ -123,7 +109,8 @@ static int find_walls(pair_list *l, const pair_query *q)
 static void list_walls(pair_list *l, const pair_query *q, int *lost)
 {
     int walls = find_walls(l, q);
-    if (walls > l->wall_capacity && grow(&l->wall, &l->wall_capacity, walls))
+    if (walls > l->wall_capacity
+        && TABLE_RENEW(l->wall, l->wall_capacity, walls))
         walls = find_walls(l, q);
     l->walls = int_min(walls, l->wall_capacity);
     *lost += walls - l->walls;
@@ -135,7 +122,7 @@ static void list_walls(pair_list *l, const pair_query *q, int *lost)
 static void list_all(pair_list *l, const pair_query *q, int *lost)
 {
     int n = broad_pairs(&l->broad, l->listed, q->moves, l->pair, l->capacity);
-    if (n > l->capacity && grow(&l->pair, &l->capacity, n))
+    if (n > l->capacity && TABLE_RENEW(l->pair, l->capacity, n))
         n = broad_pairs(&l->broad, l->listed, q->moves, l->pair, l->capacity);
     l->count = int_min(n, l->capacity);
     *lost = n - l->count;
@@ -168,18 +155,13 @@ static void drop_old(pair_list *l)
     l->count = kept;
 }
 
-static bool comes_after(const int x[2], const int y[2])
-{
-    return x[0] > y[0] || (x[0] == y[0] && x[1] > y[1]);
-}
-
 // Two sorted lists become one, from the end on.
 static void merge(pair_list *l, int fresh)
 {
     int i = l->count - 1, j = fresh - 1;
     l->count += fresh;
     for (int k = l->count - 1; j >= 0; k--) {
-        bool is_old = i >= 0 && comes_after(l->pair[i], l->fresh[j]);
+        bool is_old = i >= 0 && broad_is_before(l->fresh[j], l->pair[i]);
         memcpy(l->pair[k], is_old ? l->pair[i--] : l->fresh[j--],
                sizeof l->pair[k]);
     }
@@ -190,7 +172,7 @@ static void merge(pair_list *l, int fresh)
 static void list_some(pair_list *l, const pair_query *q, int *lost)
 {
     int n = find_fresh(l, q), room = l->capacity;
-    if (n > l->fresh_capacity && grow(&l->fresh, &l->fresh_capacity, n))
+    if (n > l->fresh_capacity && TABLE_RENEW(l->fresh, l->fresh_capacity, n))
         n = find_fresh(l, q);
     int found = int_min(n, l->fresh_capacity);
     broad_order(l->fresh, found);
@@ -282,16 +264,8 @@ void pair_list_renew(pair_list *l, int b)
 //<
 
 //> pairs-init
-//>   The rest is memory. The list of pairs grows by half when it is too short,
-//>   and keeps nothing, because it is about to be made again.
-status pair_list_init(pair_list *l, int bodies)
-{
-    *l = (pair_list){ .bodies = 0 };
-    status done = pair_list_grow(l, bodies);
-    if (!done.ok) pair_list_free(l);
-    return done;
-}
-
+//>   The rest is memory. The list of pairs that is too short
+//>   keeps nothing when it grows, because it is about to be made again.
 static bool make_room(pair_list *l, int bodies)
 {
     int room = table_room(bodies, l->room), n = int_max(room, 1);
@@ -301,8 +275,8 @@ static bool make_room(pair_list *l, int bodies)
     TABLE_GROW(ok, l->is_new, l->bodies, n);
     TABLE_GROW(ok, l->is_settled, l->bodies, n);
     TABLE_GROW(ok, l->loose, l->bodies, n);
-    if (!l->pair) ok = ok && grow(&l->pair, &l->capacity, 8 * n);
-    if (!l->fresh) ok = ok && grow(&l->fresh, &l->fresh_capacity, n);
+    if (!l->pair) ok = ok && TABLE_RENEW(l->pair, l->capacity, 8 * n);
+    if (!l->fresh) ok = ok && TABLE_RENEW(l->fresh, l->fresh_capacity, n);
     if (ok) l->room = room;
     return ok;
 }
@@ -319,13 +293,9 @@ status pair_list_grow(pair_list *l, int bodies)
 void pair_list_free(pair_list *l)
 {
     broad_free(&l->broad);
-    free(l->pair);
-    free(l->fresh);
-    free(l->wall);
-    free(l->listed);
-    free(l->is_new);
-    free(l->is_settled);
-    free(l->loose);
+#define FREE(table, kept, room) free(l->table);
+    PAIR_TABLES(FREE, FREE, l)
+#undef FREE
     *l = (pair_list){ .bodies = 0 };
 }
 //<

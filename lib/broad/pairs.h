@@ -55,14 +55,20 @@ typedef struct {
     int  (*fresh)[2];   // [fresh_capacity] of these
     int    fresh_capacity;
 } pair_list;
+
+// Its tables, and for how much there is room: a saved list keeps what is KEPT.
+#define PAIR_TABLES(KEPT, ROOM, l)                                            \
+    KEPT(listed, (l)->bodies, (l)->room) KEPT(is_new, (l)->bodies, (l)->room) \
+    KEPT(is_settled, 0, (l)->room) ROOM(loose, 0, (l)->room)                  \
+    ROOM(pair, 0, (l)->capacity) ROOM(wall, 0, (l)->wall_capacity)            \
+    ROOM(fresh, 0, (l)->fresh_capacity)
 //<
 
 //> pairs-declare
 //>   One function answers. It says whether the list is a new one, because
 //>   tables that go along with the pairs must follow it.
-// For that many bodies.  Fails, leaving *l empty, for want of memory.
-status pair_list_init(pair_list *l, int bodies);
-// For more of them, if there were fewer.  Fails, changing nothing.
+// For that many bodies, if it was for fewer; at first a zeroed one is for none.
+// Fails, changing nothing, for want of memory.
 status pair_list_grow(pair_list *l, int bodies);
 void   pair_list_free(pair_list *l);    // an empty or zeroed one is fine
 

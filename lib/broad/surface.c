@@ -12,16 +12,14 @@
 static const surface_box NOTHING = { { HUGE_VAL, HUGE_VAL, HUGE_VAL },
                                      { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL } };
 
-static real least(real a, real b) { return a < b ? a : b; }
-static real most(real a, real b) { return a > b ? a : b; }
 
 static surface_box around(surface_box a, surface_box b)
 {
     return (surface_box){
-        { least(a.low.x, b.low.x), least(a.low.y, b.low.y),
-          least(a.low.z, b.low.z) },
-        { most(a.high.x, b.high.x), most(a.high.y, b.high.y),
-          most(a.high.z, b.high.z) } };
+        { real_min(a.low.x, b.low.x), real_min(a.low.y, b.low.y),
+          real_min(a.low.z, b.low.z) },
+        { real_max(a.high.x, b.high.x), real_max(a.high.y, b.high.y),
+          real_max(a.high.z, b.high.z) } };
 }
 
 // On one axis, from when to when do they overlap, of a way of that length?
@@ -34,8 +32,8 @@ static void overlap(real low, real high, real way, real from, real to,
         return;
     }
     real first = (way > 0 ? in : out) / way, last = (way > 0 ? out : in) / way;
-    *begin = most(*begin, first);
-    *end = least(*end, last);
+    *begin = real_max(*begin, first);
+    *end = real_min(*end, last);
 }
 
 // The share of the way after which q's box meets b; HUGE_VAL: never.
@@ -52,7 +50,7 @@ static real way_to(const surface_query *q, const surface_box *b)
 // m
 static real apart(real low, real high, real from, real to)
 {
-    return most(most(low - to, from - high), 0);
+    return real_max(real_max(low - to, from - high), 0);
 }
 
 static real distance_to(const surface_query *q, const surface_box *b)
@@ -107,7 +105,7 @@ static surface_box box_of(const surface *s, int triangle)
     surface_prism(s, triangle, at);
     for (int k = 0; k < PRISM_CORNERS; k++) {
         b = around(b, (surface_box){ at[k], at[k] });
-        size = most(size, vec3_length_squared(at[k]));
+        size = real_max(size, vec3_length_squared(at[k]));
     }
     real wider = 0x1p-40 * sqrt(size);
     vec3 more = { wider, wider, wider };
@@ -126,8 +124,8 @@ static side_range sides_of(const surface *s, const int v[3])
     side_range r = { HUGE_VAL, 0 };
     for (int i = 0; i < 3; i++) {
         vec3 side = vec3_sub(s->point[v[(i + 1) % 3]], s->point[v[i]]);
-        r.least = least(r.least, vec3_length(side));
-        r.most = most(r.most, vec3_length(side));
+        r.least = real_min(r.least, vec3_length(side));
+        r.most = real_max(r.most, vec3_length(side));
     }
     return r;
 }
@@ -226,7 +224,7 @@ real surface_entry_below(const surface *s, int triangle, vec3 from, vec3 to,
             through = i;
             *side = plane_of(n, at[v[0]]);
         }
-        if (!(start > 0) && end > 0) out = least(out, share);
+        if (!(start > 0) && end > 0) out = real_min(out, share);
     }
     if (through < 0) return -1;
     return through > 0 && in <= out ? in : HUGE_VAL;
@@ -246,7 +244,7 @@ enum { BITS = 21 };     // of each coordinate
 static uint64_t shuffled(real x, surface_box all, real low)
 {
     vec3 size = vec3_sub(all.high, all.low);
-    real cells = 1 << BITS, widest = most(size.x, most(size.y, size.z));
+    real cells = 1 << BITS, widest = real_max(size.x, real_max(size.y, size.z));
     real in = cells * ((x - low) / widest);
     uint64_t n = in >= cells ? (1 << BITS) - 1 : in > 0 ? (uint64_t)in : 0;
     n = (n | n << 32) & 0x1f00000000ffff;
@@ -386,8 +384,8 @@ static real see_behind(void *context, int triangle)
             continue;
         real in = surface_entry(l->s, triangle, from, to);
         real out = 1 - surface_entry(l->s, triangle, to, from);
-        if (in <= 1) l->share = least(l->share, in);
-        if (out >= 0) l->share = least(l->share, out);
+        if (in <= 1) l->share = real_min(l->share, in);
+        if (out >= 0) l->share = real_min(l->share, out);
     }
     return 1;
 }
@@ -410,8 +408,9 @@ static real depth_of(const surface *s, int triangle)
         q.thing = around(q.thing, (surface_box){ to, to });
     }
     surface_ask(s, &q);
-    real thinnest = most(0.01 * s->thickness, 2 * THIN * sides_of(s, v).most);
-    return least(most(s->thickness * l.share, thinnest), s->thickness);
+    real thinnest = real_max(0.01 * s->thickness,
+                             2 * THIN * sides_of(s, v).most);
+    return real_min(real_max(s->thickness * l.share, thinnest), s->thickness);
 }
 
 // (All are as deep as can be while the tree is made, and while it is asked.)
@@ -476,7 +475,7 @@ static status check_place(const surface *s, int k, side_range sides, real height
     if (!(height > THIN * sides.most))
         return status_fail("triangle %d of a surface is %g m thick, and %g m "
                            "long: that is too thin", k, height, sides.most);
-    if (!(away + sides.most <= MOST_AWAY * least(sides.least, height)))
+    if (!(away + sides.most <= MOST_AWAY * real_min(sides.least, height)))
         return status_fail("triangle %d of a surface is too small to be %g m "
                            "away", k, away);
     return status_ok();

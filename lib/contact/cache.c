@@ -57,14 +57,9 @@ static int compare(const int a[2], const int b[2])
 
 static bool grow_spare(cache_list *l, int need)
 {
-    int room = need + need / 8 + 64;
-    if (need <= l->spare_capacity) return true;
-    free(l->spare);
-    free(l->spare_key);
-    l->spare = malloc((size_t)room * sizeof *l->spare);
-    l->spare_key = malloc((size_t)room * sizeof *l->spare_key);
-    l->spare_capacity = l->spare && l->spare_key ? room : 0;
-    return l->spare_capacity > 0;
+    int room = l->spare_capacity;
+    return TABLE_RENEW(l->spare, room, need)
+        && TABLE_RENEW(l->spare_key, l->spare_capacity, need);
 }
 
 static void swap_spare(cache_list *l, int count)
@@ -553,12 +548,6 @@ static bool query_ahead(const cache_frame *f, const contact *c, collider a,
 
 //> cache-pair
 //>   The answer goes into its entry, and inherits the impulses of the last one.
-static collider placed_body(const contact_cache *c, const cache_frame *f, int b)
-{
-    const struct placing *p = &c->placing[b];
-    return (collider){ f->body[b].shape, c->vertex + p->first, p->in_range };
-}
-
 // What it carried, for seams that find a contact on a floor again.
 static cache_load load_of(const contact *was, bool is_a)
 {
@@ -580,7 +569,7 @@ static void query_pair(contact_cache *c, const cache_frame *f, cache_pair *p)
     if (p->count > 0) was = *now;
     else was = (contact){ .count = 0 };     // bequeaths nothing
     int a = now->piece_a, b = now->piece_b;
-    collider x = placed_body(c, f, a), y = placed_body(c, f, b);
+    collider x = cache_collider(c, f, a), y = cache_collider(c, f, b);
     swept_status swept = SWEPT_OVERLAP;
     now->count = 0;
     // (What was out of reach is as if it had not been listed.)
@@ -614,7 +603,7 @@ static void query_wall(contact_cache *c, const cache_frame *f, cache_pair *p)
     contact *now = &c->entry[p->entry].contact, was = *now;
     int a = now->piece_a;
     plane wall = f->plane[-1 - now->piece_b];
-    collider body = placed_body(c, f, a);
+    collider body = cache_collider(c, f, a);
     if (p->count == 0) was.count = 0;       // bequeaths nothing
     real slack = slack_of(c, f, a, -1), reach = reach_of(f, a, -1);
     manifold m = manifold_on_plane(&body, wall.normal, wall.offset,
@@ -711,16 +700,9 @@ static void reach_chunk(void *data, int item)
 
 static bool grow_active(contact_cache *c, int need)
 {
-    size_t room = (size_t)need + (size_t)need / 8 + 64;
-    if (need <= c->active_capacity) return true;
-    free(c->active);
-    free(c->of);
-    free(c->reach);
-    c->active = malloc(room * sizeof *c->active);
-    c->of = malloc(room * sizeof *c->of);
-    c->reach = malloc(room * sizeof *c->reach);
-    c->active_capacity = c->active && c->of && c->reach ? (int)room : 0;
-    return c->active_capacity > 0;
+    int of = c->active_capacity, reach = of;
+    return TABLE_RENEW(c->of, of, need) && TABLE_RENEW(c->reach, reach, need)
+        && TABLE_RENEW(c->active, c->active_capacity, need);
 }
 
 static void gather_active(contact_cache *c, const cache_frame *f)
@@ -776,16 +758,6 @@ void cache_moved(contact_cache *c, int b, real way)
 
 //> cache-init
 //>   Memory for contacts, made and given back.
-status cache_init(contact_cache *c, const cache_body *body, int bodies)
-{
-    *c = (contact_cache){ .free_entry = -1 };
-    status done = status_ok();
-    for (int b = 0; b < bodies && done.ok; b++)
-        done = cache_add(c, b, body[b].rigid ? body[b].shape->particles : 0);
-    if (!done.ok) cache_free(c);
-    return done;
-}
-
 static bool make_room(contact_cache *c, int bodies, int vertices)
 {
     int room = table_room(bodies, c->room);
@@ -830,43 +802,19 @@ void cache_free(contact_cache *c)
         free(list[k]->spare);
         free(list[k]->spare_key);
     }
-    free(c->entry);
-    free(c->was);
-    free(c->first);
-    free(c->last);
-    free(c->met);
-    free(c->placed);
-    free(c->placing);
-    free(c->vertex);
-    free(c->active);
-    free(c->of);
-    free(c->reach);
+#define FREE(table, kept, room) free(c->table);
+    CACHE_TABLES(FREE, FREE, c)
+#undef FREE
     *c = (contact_cache){ .free_entry = -1 };
 }
 //<
 
 //> cache-forget
-// Those whose first is a, or whose second is b; or all of them.
-enum { ALL = -1, NONE = -2 };
-
-static void clear_list(contact_cache *c, cache_list *l, int a, int b)
+static void drop_kept(contact_cache *c, cache_pair *p)
 {
-    for (int k = 0; k < l->count; k++) {
-        if (a != ALL && l->key[k][0] != a && l->key[k][1] != b) continue;
-        if (l->pair[k].entry >= 0)
-            c->entry[l->pair[k].entry].contact.count = 0;
-        release(c, &l->pair[k]);
-        forget(&l->pair[k]);
-    }
-}
-
-void cache_forget(contact_cache *c, int b)
-{
-    clear_list(c, &c->pairs, b, b);
-    clear_list(c, &c->walls, b, NONE);
-    clear_list(c, &c->still_pairs, b, b);
-    clear_list(c, &c->still_walls, b, NONE);
-    c->placing[b].number = 0;
+    if (p->entry >= 0) c->entry[p->entry].contact.count = 0;
+    release(c, p);
+    forget(p);
 }
 
 // Of what was not placed; of the key of a wall only the first is a body.
@@ -874,15 +822,12 @@ static void clear_unplaced(contact_cache *c, cache_list *l, int bodies)
 {
     for (int k = 0; k < l->count; k++) {
         int a = l->key[k][0], b = l->key[k][bodies - 1];
-        if (c->placing[a].number > 0 && c->placing[b].number > 0) continue;
-        if (l->pair[k].entry >= 0)
-            c->entry[l->pair[k].entry].contact.count = 0;
-        release(c, &l->pair[k]);
-        forget(&l->pair[k]);
+        if (c->placing[a].number == 0 || c->placing[b].number == 0)
+            drop_kept(c, &l->pair[k]);
     }
 }
 
-void cache_forget_some(contact_cache *c, const int *b, int n)
+void cache_forget(contact_cache *c, const int *b, int n)
 {
     for (int k = 0; k < n; k++) c->placing[b[k]].number = 0;
     clear_unplaced(c, &c->pairs, 2);
@@ -891,18 +836,11 @@ void cache_forget_some(contact_cache *c, const int *b, int n)
     clear_unplaced(c, &c->still_walls, 1);
 }
 
-void cache_forget_plane(contact_cache *c, int k)
+void cache_forget_plane(contact_cache *c, int wall)
 {
-    clear_list(c, &c->walls, NONE, k);
-    clear_list(c, &c->still_walls, NONE, k);
-}
-
-void cache_clear(contact_cache *c)
-{
-    clear_list(c, &c->pairs, ALL, ALL);
-    clear_list(c, &c->walls, ALL, ALL);
-    clear_list(c, &c->still_pairs, ALL, ALL);
-    clear_list(c, &c->still_walls, ALL, ALL);
-    for (int b = 0; b < c->room; b++) c->placing[b].number = 0;
+    cache_list *list[] = { &c->walls, &c->still_walls };
+    for (int i = 0; i < 2; i++)
+        for (int k = 0; k < list[i]->count; k++)
+            if (list[i]->key[k][1] == wall) drop_kept(c, &list[i]->pair[k]);
 }
 //<

@@ -16,9 +16,6 @@
 //<
 
 //> cache-declare
-// For bodies as given (their shapes).  Fails, leaving *c empty, for want of
-// memory.
-status cache_init(contact_cache *c, const cache_body *body, int bodies);
 // For body b, with so many vertices, which is one more, or in the place of one
 // that was forgotten.  Fails, forgetting nothing.
 status cache_add(contact_cache *c, int b, int vertices);
@@ -38,22 +35,16 @@ void cache_note(contact_cache *c, const contact_solver *s);
 // Body b has been moved: no vertex of it by more than way (m).
 void cache_moved(contact_cache *c, int b, real way);
 
-// What is kept of body b is forgotten: it goes, or is put elsewhere.  In the
+// What is kept of n bodies is forgotten: they go, or are put elsewhere.  In the
 // next frame the list of pairs must be a new one.
-void cache_forget(contact_cache *c, int b);
-// The same for n of them at once.
-void cache_forget_some(contact_cache *c, const int *b, int n);
-// Likewise of plane k.
-void cache_forget_plane(contact_cache *c, int k);
+void cache_forget(contact_cache *c, const int *b, int n);
+// Likewise of a plane.
+void cache_forget_plane(contact_cache *c, int wall);
 
 // The next pair of two sorted lists that have no pair in common: the k-th of the
 // one, or the j-th of the other.  One of them has more.
 const cache_pair *cache_next(const cache_list *l, int *k,
                              const cache_list *other, int *j);
-
-// Everything that is kept is forgotten: the next frame asks all.  (With this
-// before every frame contacts know no past: the oracle.)
-void cache_clear(contact_cache *c);
 
 #endif
 //<

@@ -137,9 +137,28 @@ typedef struct {
     int  lost;          // contacts that found no memory
     int  fast;          // contacts of bodies that meet later in the frame
 } contact_cache;
+
+// All these tables, and for how much there is room: a saved cache keeps what is
+// KEPT, so much of it.
+#define CACHE_TABLES(KEPT, ROOM, c)                                           \
+    KEPT(entry, (c)->entries, (c)->entry_capacity)                            \
+    KEPT(vertex, (c)->vertices, (c)->vertex_room)                             \
+    KEPT(placed, (c)->room, (c)->room) KEPT(placing, (c)->room, (c)->room)    \
+    ROOM(was, 0, (c)->entry_capacity) ROOM(met, 0, (c)->met_capacity)         \
+    ROOM(first, 0, (c)->room) ROOM(last, 0, (c)->room)                        \
+    ROOM(active, 0, (c)->active_capacity) ROOM(of, 0, (c)->active_capacity)   \
+    ROOM(reach, 0, (c)->active_capacity)
 //<
 
 //> cache-own
+// Body b with its vertices where they were last placed.
+static inline collider cache_collider(const contact_cache *c,
+                                      const cache_frame *f, int b)
+{
+    const struct placing *p = &c->placing[b];
+    return (collider){ f->body[b].shape, c->vertex + p->first, p->in_range };
+}
+
 // Where do both push that touch so?  A vertex takes its place along, while the
 // face under it slides: see contact_point.  What is rounder rolls over a vertex,
 // and touches below its own core.

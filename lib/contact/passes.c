@@ -68,12 +68,6 @@ static void choose_lane(lane_source *q, const contact *c,
     choose_across(q, vec3_scale(sign * warm, c->friction));
     choose_points(q, c, x, f, warm);
 }
-
-// A lane that is left over has no points: it pushes nothing.
-static void leave_lane(lane_source *q, int spare)
-{
-    *q = (lane_source){ .a = spare, .b = spare };
-}
 //<
 
 //> passes-transpose
@@ -453,8 +447,9 @@ static void make_rows_of(const contact_solver *s, block *k,
     k->lies = all_lies(s, k, f);
 }
 
-static void fill_block(const preparation *p, int number)
+static void fill_block(void *data, int number)
 {
+    const preparation *p = data;
     contact_solver *s = p->s;
     block *k = &s->block[number];
     lane_source q[REAL4];
@@ -466,11 +461,11 @@ static void fill_block(const preparation *p, int number)
     k->point = s->point + s->start[number];
     k->place = s->place + s->start[number];
     for (int l = 0; l < REAL4; l++) {
+        // A lane that is left over has no points: it pushes nothing.
+        q[l] = (lane_source){ .a = s->room, .b = s->room };
         if (l < lanes)
             choose_lane(&q[l], p->table[list[l]], &s->active[list[l]], p->f,
                         s->room);
-        else
-            leave_lane(&q[l], s->room);
         k->contact[l] = l < lanes ? list[l] : -1;
         k->a[l] = q[l].a;
         k->b[l] = q[l].b;
@@ -478,11 +473,6 @@ static void fill_block(const preparation *p, int number)
     transpose(k, q);
     set_material(p, k);
     make_rows_of(s, k, p->f);
-}
-
-static void fill_one(void *data, int number)
-{
-    fill_block(data, number);
 }
 
 //<
@@ -523,7 +513,7 @@ static void fill_chunk(void *data, int item)
     int end = task_last(item, p->s->blocks, FEW_BLOCKS);
     for (int k = item * FEW_BLOCKS; k < end; k++) {
         if (k < p->known && block_is_good(p, k)) keep_block(p, k);
-        else fill_block(p, k);
+        else fill_block(data, k);
     }
 }
 
@@ -861,26 +851,6 @@ ALWAYS_INLINE void relax(block *k, const solver_pass *q, bool two, bool has_impa
     }
     give_sides(k, q->velocity, &u, two);
 }
-
-ALWAYS_INLINE void push_block(block *k, const solver_pass *q, bool two)
-{
-    push(k, q, two, false);
-}
-
-ALWAYS_INLINE void push_to_impacts(block *k, const solver_pass *q, bool two)
-{
-    push(k, q, two, true);
-}
-
-ALWAYS_INLINE void relax_block(block *k, const solver_pass *q, bool two)
-{
-    relax(k, q, two, false);
-}
-
-ALWAYS_INLINE void relax_to_impacts(block *k, const solver_pass *q, bool two)
-{
-    relax(k, q, two, true);
-}
 //<
 
 //> passes-warm
@@ -909,28 +879,30 @@ ALWAYS_INLINE void warm_block(block *k, const solver_pass *q, bool two)
 
 //> passes-table
 // A loop for each kind of pass and of side, so that none asks inside.
-#define PASS(name, solve)                                             \
+#define PASS(name, solve_two, solve_one)                              \
     static void name(void *data, int item)                            \
     {                                                                 \
-        const solver_pass *q = data;                                         \
+        const solver_pass *q = data;                                  \
         block *k = q->s->block + q->first;                            \
         int i = item * FEW_BLOCKS;                                    \
         int end = task_last(item, q->count, FEW_BLOCKS);              \
         if (q->sides == TWO_SIDED)                                    \
-            for (; i < end; i++) solve(&k[i], q, true);               \
+            for (; i < end; i++) solve_two;                           \
         else                                                          \
-            for (; i < end; i++) solve(&k[i], q, false);              \
+            for (; i < end; i++) solve_one;                           \
     }
 
-PASS(see_chunk, see_block)
-PASS(warm_chunk, warm_block)
-PASS(push_chunk, push_block)
-PASS(push_to_impacts_chunk, push_to_impacts)
-PASS(relax_chunk, relax_block)
-PASS(relax_to_impacts_chunk, relax_to_impacts)
+PASS(see_chunk, see_block(&k[i], q, true), see_block(&k[i], q, false))
+PASS(warm_chunk, warm_block(&k[i], q, true), warm_block(&k[i], q, false))
+PASS(push_chunk, push(&k[i], q, true, false), push(&k[i], q, false, false))
+PASS(push_to_impacts_chunk, push(&k[i], q, true, true),
+     push(&k[i], q, false, true))
+PASS(relax_chunk, relax(&k[i], q, true, false), relax(&k[i], q, false, false))
+PASS(relax_to_impacts_chunk, relax(&k[i], q, true, true),
+     relax(&k[i], q, false, true))
 
 const solver_passes PASSES = {
-    .fill = fill_chunk, .refill = fill_one, .keep = keep_chunk, .renew = renew_chunk,
+    .fill = fill_chunk, .refill = fill_block, .keep = keep_chunk, .renew = renew_chunk,
     .see = see_chunk, .warm = warm_chunk,
     .push = { push_chunk, push_to_impacts_chunk },
     .relax = { relax_chunk, relax_to_impacts_chunk }

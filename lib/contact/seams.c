@@ -2,6 +2,7 @@
 //>   What a slider touches: a side of a piece, or of a plane.
 #include "seams.h"
 #include "manifold.h"
+#include "table.h"
 
 #include <stddef.h>
 #include <stdlib.h>
@@ -68,13 +69,6 @@ static void see_side(const slider *s, side *x)
 //> seams-hold
 //>   Three questions to a piece: how high does it reach, does it stand out
 //>   further than that, and does a point lie in it?
-static collider asked_body(const slider *s, int b)
-{
-    const struct placing *p = &s->c->placing[b];
-    return (collider){ s->f->body[b].shape, s->c->vertex + p->first,
-                       p->in_range };
-}
-
 static int furthest(const collider *x, vec3 d)
 {
     int best = 0;
@@ -86,7 +80,7 @@ static int furthest(const collider *x, vec3 d)
 // m, of body b along n, with what is round of it.
 static real height_of(const slider *s, int b, vec3 n)
 {
-    collider x = asked_body(s, b);
+    collider x = cache_collider(s->c, s->f, b);
     return vec3_dot(x.at[furthest(&x, n)], n) + x.shape->round;
 }
 
@@ -107,13 +101,6 @@ static bool is_in_ball(const slider *s, int b, vec3 p, real flush)
     return vec3_length_squared(d) <= far * far;
 }
 
-static vec3 face_area(const collider *x, int face)
-{
-    const int *v = &x->shape->face[3 * face];
-    return vec3_cross(vec3_sub(x->at[v[1]], x->at[v[0]]),
-                      vec3_sub(x->at[v[2]], x->at[v[0]]));
-}
-
 // Is p in body or plane b, or outside by no more than flush?  (A round body
 // hides nothing.)
 static bool holds_point(const slider *s, int b, vec3 p, real flush)
@@ -122,10 +109,10 @@ static bool holds_point(const slider *s, int b, vec3 p, real flush)
         plane w = s->f->plane[-1 - b];
         return vec3_dot(w.normal, p) <= w.offset + flush;
     }
-    collider x = asked_body(s, b);
+    collider x = cache_collider(s->c, s->f, b);
     if (x.shape->round > 0 || !is_in_ball(s, b, p, flush)) return false;
     for (int k = 0; k < x.shape->mesh.faces; k++) {
-        vec3 m = face_area(&x, k);
+        vec3 m = face_area(x.shape, x.at, k);
         real over = vec3_dot(m, vec3_sub(p, x.at[x.shape->face[3 * k]]));
         if (over > 0 && over * over > flush * flush * vec3_dot(m, m))
             return false;
@@ -213,14 +200,14 @@ static bool is_behind_any(const slider *s, const side *b)
 // that of a floor that turns in the frame.)
 static void straighten(const slider *s, side *x)
 {
-    collider b = asked_body(s, x->b);
+    collider b = cache_collider(s->c, s->f, x->b);
     contact *t = x->contact;
     real most = ALIKE * ALIKE;      // the cosine, squared
     vec3 n = x->n;
     if (b.shape->round > 0 || turns_of(s, x->b) > STAYS * s->f->now[s->a].radius)
         return;
     for (int k = 0; k < b.shape->mesh.faces; k++) {
-        vec3 m = face_area(&b, k);
+        vec3 m = face_area(b.shape, b.at, k);
         real along = vec3_dot(m, x->n), square = vec3_dot(m, m);
         if (!(along > 0 && along * along > most * square)) continue;
         most = along * along / square;
@@ -287,7 +274,8 @@ static real reach_of(const slider *s, const contact *x)
 static manifold find_along(const slider *s, const contact *x, vec3 m)
 {
     const cache_frame *f = s->f;
-    collider a = asked_body(s, x->piece_a), b = asked_body(s, x->piece_b);
+    collider a = cache_collider(s->c, f, x->piece_a);
+    collider b = cache_collider(s->c, f, x->piece_b);
     vec3 moved[MOST_VERTICES];
     if (a.shape->particles > MOST_VERTICES) return (manifold){ .count = 0 };
     vec3 way = vec3_sub(f->ahead[x->piece_a].way, f->ahead[x->piece_b].way);
@@ -352,10 +340,10 @@ static real apart_along(const slider *s, int b, vec3 m)
 //>   furthest outside of.
 static real best_face(const slider *s, const side *x, vec3 *best)
 {
-    collider b = asked_body(s, x->b);
+    collider b = cache_collider(s->c, s->f, x->b);
     real most = -HUGE_VAL;
     for (int k = 0; k < b.shape->mesh.faces; k++) {
-        vec3 m = vec3_unit(face_area(&b, k));
+        vec3 m = vec3_unit(face_area(b.shape, b.at, k));
         if (vec3_dot(m, x->n) > ALIKE) continue;
         real apart = apart_along(s, x->b, m);
         if (apart > most) most = apart, *best = m;
@@ -454,7 +442,7 @@ static bool is_over(const slider *s, const int *of, int n, vec3 p)
     feature_point foot;
     for (int i = 0; i < n; i++) {
         const side *y = &s->side[of[i]];
-        collider piece = asked_body(s, y->b);
+        collider piece = cache_collider(s->c, s->f, y->b);
         if (find_foot(&piece, y->n, p, &foot)) return true;
     }
     return false;
@@ -465,7 +453,7 @@ static bool is_over(const slider *s, const int *of, int n, vec3 p)
 static void take_plane(const slider *s, side *x, const manifold *m)
 {
     contact *t = x->contact;
-    collider a = asked_body(s, s->a);
+    collider a = cache_collider(s->c, s->f, s->a);
     const rigid_frame *floor = &s->c->placed[x->b];
     t->count = m->count;
     t->is_ahead = false;
@@ -499,7 +487,7 @@ static void carry_floor(const slider *s, const side *x, const int *of, int n)
 static void merge_floor(slider *s, const int *of, int n)
 {
     side *x = &s->side[of[0]];
-    collider a = asked_body(s, s->a);
+    collider a = cache_collider(s->c, s->f, s->a);
     manifold m = manifold_on_plane(&a, x->n, x->height, reach_of(s, x->contact),
                                    s->f->ahead[s->a].angle);
     for (int k = 0; k < m.count; k++)
@@ -549,17 +537,6 @@ static bool is_new_on_floor(const cache_frame *f, const cache_pair *p,
                             const int key[2])
 {
     return p->is_asked && p->count > 0 && seams_slider(f, key[0], key[1]) >= 0;
-}
-
-static bool make_lists(contact_cache *c)
-{
-    int need = 2 * c->pairs.count + c->walls.count;
-    if (need <= c->met_capacity) return true;
-    free(c->met);
-    c->met_capacity = need + need / 8 + 64;
-    c->met = malloc((size_t)c->met_capacity * sizeof *c->met);
-    if (!c->met) c->met_capacity = 0;
-    return c->met != NULL;
 }
 
 // Calls with `do_write` false count; then places are known.
@@ -675,7 +652,8 @@ void seams_mend(contact_cache *c, const cache_frame *f)
     for (int k = 0; k < c->pairs.count && !is_any; k++)
         is_any = is_new_on_floor(f, &c->pairs.pair[k], c->pairs.key[k]);
     if (!is_any) return;
-    if (!make_lists(c)) {
+    if (!TABLE_RENEW(c->met, c->met_capacity,
+                     2 * c->pairs.count + c->walls.count)) {
         c->lost++;
         return;
     }

@@ -179,26 +179,12 @@ static bool may_keep_all(const contact_solver *s, const solver_frame *f)
     return true;
 }
 
-// Grows an array without keeping what is in it; it is zero, for what is never set
-// may be saved.
-static bool grow(void **array, int *capacity, int need, size_t size)
-{
-    size_t room = (size_t)need + (size_t)need / 8;
-    if (need <= *capacity) return true;
-    void *more = calloc(room, size);
-    if (!more) return false;
-    free(*array);
-    *array = more;
-    *capacity = (int)room;
-    return true;
-}
-
 static bool make_room(contact_solver *s, int n)
 {
     int capacity = s->capacity;
     if (n > s->capacity) s->contacts = 0;
-    return grow((void **)&s->active, &capacity, n, sizeof *s->active)
-        && grow((void **)&s->order, &s->capacity, n, sizeof *s->order);
+    return TABLE_RENEW(s->active, capacity, n)
+        && TABLE_RENEW(s->order, s->capacity, n);
 }
 
 static void forget_blocks(contact_solver *s)
@@ -228,15 +214,12 @@ static void count_points(contact_solver *s)
 // Room for the blocks, and for their points.
 static bool make_block_room(contact_solver *s)
 {
-    if (!grow((void **)&s->block, &s->block_capacity, s->blocks,
-              sizeof *s->block)
-        || !grow((void **)&s->start, &s->start_capacity, s->blocks + 1,
-                 sizeof *s->start)) return false;
+    if (!TABLE_RENEW(s->block, s->block_capacity, s->blocks)
+        || !TABLE_RENEW(s->start, s->start_capacity, s->blocks + 1))
+        return false;
     count_points(s);
-    return grow((void **)&s->point, &s->point_capacity, s->start[s->blocks],
-                sizeof *s->point)
-        && grow((void **)&s->place, &s->place_capacity, s->start[s->blocks],
-                sizeof *s->place);
+    return TABLE_RENEW(s->point, s->point_capacity, s->start[s->blocks])
+        && TABLE_RENEW(s->place, s->place_capacity, s->start[s->blocks]);
 }
 
 static bool make_blocks(contact_solver *s, preparation *p)

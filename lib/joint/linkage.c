@@ -126,23 +126,21 @@ static int compare(const void *x, const void *y)
     return (a > b) - (a < b);
 }
 
-// A sorted list of the joined pairs, then one search for each that may meet.
-int linkage_drop_pairs(linkage *l, int (*pair)[2], int n)
+void linkage_find_apart(linkage *l)
 {
-    int apart = 0, left = 0;
+    l->aparts = 0;
     for (int k = 0; k < l->count; k++)
         if (holds(&l->joint[k]) && !l->joint[k].may_touch)
-            l->apart[apart++] = key_of(l->joint[k].a, l->joint[k].b);
-    if (apart == 0) return n;
-    qsort(l->apart, (size_t)apart, sizeof *l->apart, compare);
-    for (int k = 0; k < n; k++) {
-        long long key = key_of(pair[k][0], pair[k][1]);
-        if (bsearch(&key, l->apart, (size_t)apart, sizeof key, compare))
-            continue;
-        pair[left][0] = pair[k][0];
-        pair[left++][1] = pair[k][1];
-    }
-    return left;
+            l->apart[l->aparts++] = key_of(l->joint[k].a, l->joint[k].b);
+    if (l->aparts > 0)
+        qsort(l->apart, (size_t)l->aparts, sizeof *l->apart, compare);
+}
+
+bool linkage_keeps_apart(const linkage *l, int a, int b)
+{
+    long long key = key_of(a, b);
+    return l->aparts > 0 && bsearch(&key, l->apart, (size_t)l->aparts,
+                                    sizeof key, compare);
 }
 //<
 

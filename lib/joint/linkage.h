@@ -50,7 +50,8 @@ typedef struct {
     joint_rows *rows;       // [count]
     joint_role *role;       // [count]
     linkage_step *step;     // [2 count]
-    long long  *apart;      // [count] pairs of rigid bodies that do not meet
+    long long  *apart;      // [aparts] pairs of rigid bodies that do not meet
+    int         aparts;
     body_tie *tied;         // [ties] and of a deformable and a rigid one
     int  ties, tie_room;
     int  count, capacity, gone, steps;  // gone: places that are free
@@ -97,9 +98,10 @@ static inline bool linkage_has(const linkage *l, int b)
     return b < l->bodies && l->frames > 0 && l->body[b].seen == l->frames;
 }
 
-// Takes those that are joined, and must not touch, out of n pairs of bodies
-// that may meet.  Returns how many are left, in their old order.
-int linkage_drop_pairs(linkage *l, int (*pair)[2], int n);
+// Sorts the pairs of bodies that are joined, and must not touch.  Until there are
+// others: is that one of them?
+void linkage_find_apart(linkage *l);
+bool linkage_keeps_apart(const linkage *l, int a, int b);
 
 // The impulses of the joints in a frame, and in each of its substeps.
 // velocity and moved are as solver.h has them.

@@ -168,11 +168,22 @@ tumble_quat inside_quat(vec3 x, vec3 y, vec3 z);
 // The id of the body that body b of the engine belongs to; b < 0: the ground.
 tumble_body inside_owner(const tumble_world *w, int b);
 
+// What a program sees of a contact of bodies that stand there, b: NULL for a
+// plane; only what has pushed, and by how much, or all points.
+tumble_contact inside_contact(const tumble_world *w, const contact *c,
+                              const rigid_frame *a, const rigid_frame *b,
+                              bool has_pushed);
+
 // Gives back the ids of joints that broke, or went with a body.
 void inside_forget_joints(tumble_world *w);
 
 // Position and axes of p become those of the pose.
 void inside_place(placement *p, tumble_pose pose);
+
+static inline int inside_compare(unsigned a, unsigned b)
+{
+    return (a > b) - (a < b);
+}
 
 static inline vec3 from_user(tumble_vec3 v)
 {

@@ -8,14 +8,21 @@
 #include <stddef.h>
 #include <string.h>
 
-// What is asked about: a thing, where it goes, and which bodies are asked.
-typedef struct {
+// What is asked about: a thing, where it goes, which bodies are asked, and how.
+typedef struct question question;
+typedef cast_result asking(const question *q, rounded b, const plane *p,
+                           vec3 *scratch);
+struct question {
     rounded thing;
     vec3 way;           // m
     sphere around;      // the thing, before it goes; of one that turns, about its
     unsigned mask;      // centre of mass
     vec3 turn;          // rad; zero: it does not
-} question;
+    asking *ask;        // of b, or of the plane, if p is not NULL
+    bool by_distance;   // its answer is a distance (m), not a share of the way
+    bool of_soft;       // ropes and cloths are asked, and nothing else
+    real most;          // its largest answer
+};
 
 // The hull of body b of the engine where it stands; its vertices go to at.
 static rounded body_hull(const tumble_world *w, int b, vec3 *at)
@@ -35,12 +42,10 @@ static real way_to(const question *q, vec3 x)
     return vec3_length_squared(vec3_add_scaled(d, -t, q->way));
 }
 
-// Is body b of the engine one that is asked, and may it be met?
-static bool is_asked(const tumble_world *w, int b, const question *q)
+// May body b of the engine, a rigid one, be met?
+static bool may_be_met(const tumble_world *w, int b, const question *q)
 {
     const body *x = &w->world.body[b];
-    if (body_is_soft(x) || !(x->group & q->mask) || inside_mesh(w, b))
-        return false;
     vec3 center = rigid4_frame(w->world.pool.at + x->first).center;
     real near = q->around.radius + x->rigid->reach;
     // Written so that what is not finite is asked.
@@ -84,9 +89,9 @@ static rounded behind(const question *q, const plane *p, vec3 at[4])
     return (rounded){ { at, 4 }, 0 };
 }
 
-// Where it first meets b, or the plane.
-static cast_result first_of(const question *q, rounded b, const plane *p,
-                            vec3 *scratch)
+// Where it first meets it.
+static cast_result ask_way(const question *q, rounded b, const plane *p,
+                           vec3 *scratch)
 {
     const swept_motion m = { q->around.center, q->way, q->turn,
                              q->around.radius - q->thing.round };
@@ -95,6 +100,25 @@ static cast_result first_of(const question *q, rounded b, const plane *p,
         return cast_turning(q->thing, &m, p ? behind(q, p, at) : b, scratch);
     return p ? cast_first_plane(q->thing, q->way, *p)
              : cast_first(q->thing, q->way, b, scratch);
+}
+//<
+
+//> face-ask-near
+//>   What is nearest to a point, and what overlaps a shape? These two need one
+//>   distance a body.
+static cast_result ask_near(const question *q, rounded b, const plane *p,
+                            vec3 *scratch)
+{
+    vec3 x = q->around.center;
+    (void)scratch;
+    return p ? cast_nearest_plane(x, *p, q->most) : cast_nearest(x, b, q->most);
+}
+
+static cast_result ask_overlap(const question *q, rounded b, const plane *p,
+                               vec3 *scratch)
+{
+    (void)scratch;
+    return (cast_result){ .hits = !p && cast_overlaps(q->thing, b) };
 }
 //<
 
@@ -107,59 +131,73 @@ typedef struct {
     const question *q;
     tumble_body body;
     tumble_hit *best;
-    real most;          // m, of what is nearest
-    bool overlaps;
 } mesh_question;
 
-static rounded prism_hull(const mesh_question *m, int triangle)
-{
-    surface_prism(m->surface, triangle, m->w->scratch);
-    return (rounded){ { m->w->scratch, PRISM_CORNERS }, 0 };
-}
-
-static real meet_prism(void *context, int triangle)
+// Returns how far there still may be something better; -1: nowhere.
+static real ask_prism(void *context, int triangle)
 {
     mesh_question *m = context;
-    vec3 *room = m->w->scratch + m->w->most_vertices;
-    cast_result r = first_of(m->q, prism_hull(m, triangle), NULL, room);
+    vec3 *at = m->w->scratch;
+    surface_prism(m->surface, triangle, at);
+    cast_result r = m->q->ask(m->q, (rounded){ { at, PRISM_CORNERS }, 0 }, NULL,
+                              at + m->w->most_vertices);
     take(m->best, &r, m->body);
-    return real_min(m->best->fraction, 1);
+    real best = m->best->fraction;
+    return best > 0 ? real_min(best, m->q->most) : -1;
 }
 
-static real near_prism(void *context, int triangle)
+static void ask_mesh(const tumble_world *w, const body_place *x,
+                     const question *q, tumble_hit *best)
 {
-    mesh_question *m = context;
-    cast_result r = cast_nearest(m->q->around.center, prism_hull(m, triangle),
-                                 m->most);
-    take(m->best, &r, m->body);
-    return real_min(m->best->fraction, m->most);
-}
-
-static real overlap_prism(void *context, int triangle)
-{
-    mesh_question *m = context;
-    m->overlaps = m->overlaps
-               || cast_overlaps(m->q->thing, prism_hull(m, triangle));
-    return m->overlaps ? -1 : 1;
-}
-
-// Asks body place k, which has a surface; most: of the way, or m.
-static void ask_mesh(mesh_question *m, int k, real most, bool by_distance,
-                     real (*meets)(void *context, int triangle))
-{
-    const body_place *x = slots_at(&m->w->bodies, k);
-    sphere s = m->q->around;
-    real r = by_distance ? 0 : s.radius * (1 + 1e-9);
-    int b = x->piece[0].number;
-    if (!(m->w->world.body[b].group & m->q->mask)) return;
-    m->surface = &x->mesh->surface;
-    m->body = inside_owner(m->w, b);
+    mesh_question m = { w, &x->mesh->surface, q,
+                        inside_owner(w, x->piece[0].number), best };
+    vec3 center = q->around.center;
+    real r = q->by_distance ? 0 : q->around.radius * (1 + 1e-9);
     surface_query ask = {
-        .thing = { vec3_sub(s.center, (vec3){ r, r, r }),
-                   vec3_add(s.center, (vec3){ r, r, r }) },
-        .way = m->q->way, .by_distance = by_distance, .most = most,
-        .meets = meets, .context = m };
-    surface_ask(m->surface, &ask);
+        .thing = { vec3_sub(center, (vec3){ r, r, r }),
+                   vec3_add(center, (vec3){ r, r, r }) },
+        .way = q->way, .by_distance = q->by_distance,
+        .most = real_min(best->fraction, q->most), .meets = ask_prism,
+        .context = &m };
+    surface_ask(m.surface, &ask);
+}
+//<
+
+//> face-ask-soft
+//>   A rope is asked link by link, a cloth triangle by triangle.
+// The vertices of facet k of a rope or cloth: two, or three; returns how many.
+static int facet_of(const shape *s, int k, int vertex[3])
+{
+    bool is_cloth = s->kind == SHAPE_CLOTH;
+    for (int i = 0; i < 3; i++) vertex[i] = is_cloth ? s->face[3 * k + i] : k + i;
+    return is_cloth ? 3 : 2;
+}
+
+static void ask_facets(const tumble_world *w, int b, const question *q,
+                       tumble_hit *best)
+{
+    const body *x = &w->world.body[b];
+    const particle *p = w->world.pool.at + x->first;
+    bool is_cloth = x->shape->kind == SHAPE_CLOTH;
+    int facets = is_cloth ? x->shape->mesh.faces : x->shape->particles - 1;
+    vec3 at[3], scratch[4];
+    for (int k = 0; k < facets; k++) {
+        int vertex[3], n = facet_of(x->shape, k, vertex);
+        for (int i = 0; i < n; i++) at[i] = p[vertex[i]].position;
+        rounded facet = { { at, n }, is_cloth ? 0 : x->thickness };
+        sphere ball = ball_around(facet);
+        real near = ball.radius + q->around.radius;
+        if (way_to(q, ball.center) > near * near * (1 + 1e-9)) continue;
+        cast_result r = q->ask(q, facet, NULL, scratch);
+        if (!r.hits || !(r.fraction < best->fraction)) continue;
+        take(best, &r, inside_owner(w, b));
+        real least = HUGE_VAL;
+        for (int i = 0; i < n; i++) {
+            real far = vec3_distance(at[i], r.point);
+            if (far < least) best->vertex = vertex[i];
+            least = real_min(far, least);
+        }
+    }
 }
 //<
 
@@ -167,39 +205,96 @@ static void ask_mesh(mesh_question *m, int k, real most, bool by_distance,
 //>   What does a ray or a moving shape meet first? Of all answers the earliest
 //>   counts; of two at the same time, the body that was added first, so that
 //>   the answer is always the same.
+static void ask_body(const tumble_world *w, const body_place *x,
+                     const question *q, tumble_hit *best)
+{
+    const body *all = &w->world.body[x->piece[0].number];
+    if (body_is_soft(all) != q->of_soft || !(all->group & q->mask)) return;
+    if (q->of_soft) ask_facets(w, x->piece[0].number, q, best);
+    else if (x->mesh) ask_mesh(w, x, q, best);
+    else for (int k = 0; k < x->pieces && best->fraction > 0; k++) {
+        int b = x->piece[k].number;
+        if (!may_be_met(w, b, q)) continue;
+        cast_result r = q->ask(q, body_hull(w, b, w->scratch), NULL,
+                               w->scratch + w->most_vertices);
+        take(best, &r, inside_owner(w, b));
+    }
+}
+
+// Asks number k of all that can be met: places of bodies, and behind them those
+// of planes.
+static void ask_place(const tumble_world *w, int k, const question *q,
+                      tumble_hit *best)
+{
+    int wall = k - w->bodies.count;
+    const body_place *x = wall < 0 ? slots_at(&w->bodies, k) : NULL;
+    if (x) ask_body(w, x, q, best);
+    if (wall < 0 || !world_has_plane(&w->world, wall) || q->of_soft) return;
+    cast_result r = q->ask(q, q->thing, &w->world.plane[wall],
+                           w->scratch + w->most_vertices);
+    take(best, &r, tumble_body_ground());
+}
+
+// So many places there are to be asked; 0: of what is not finite, nothing.
+static int askable(const tumble_world *w, const question *q)
+{
+    bool is_finite = vec3_is_finite(q->way) && vec3_is_finite(q->around.center);
+    return w && is_finite ? w->bodies.count + w->world.planes : 0;
+}
+
 static bool first_met(const tumble_world *w, const question *q,
                       tumble_hit *hit)
 {
     tumble_hit best = { .fraction = HUGE_VAL };
-    if (!w) return false;
-    if (!vec3_is_finite(q->way) || !vec3_is_finite(q->around.center))
-        return false;
-    const world *all = &w->world;
-    vec3 *at = w->scratch, *scratch = w->scratch + w->most_vertices;
-    for (int b = 0; b < all->bodies; b++) {
-        if (!is_asked(w, b, q)) continue;
-        cast_result r = first_of(q, body_hull(w, b, at), NULL, scratch);
-        take(&best, &r, inside_owner(w, b));
-    }
-    for (int k = 0; k < all->planes; k++) {
-        if (!world_has_plane(all, k)) continue;
-        cast_result r = first_of(q, q->thing, &all->plane[k], scratch);
-        take(&best, &r, tumble_body_ground());
-    }
-    mesh_question m = { .w = w, .q = q, .best = &best };
-    for (int k = w->first_mesh; k > 0; k = inside_next_mesh(w, k))
-        ask_mesh(&m, k - 1, real_min(best.fraction, 1), false, meet_prism);
-    if (hit && best.fraction <= 1) *hit = best;
-    return best.fraction <= 1;
+    for (int k = 0; k < askable(w, q); k++) ask_place(w, k, q, &best);
+    if (hit && best.fraction < HUGE_VAL) *hit = best;
+    return best.fraction < HUGE_VAL;
+}
+
+// The question of a ray; *tip is its beginning.
+static question along_ray(vec3 *tip, tumble_vec3 from, tumble_vec3 to,
+                          unsigned mask)
+{
+    *tip = from_user(from);
+    return (question){ { { tip, 1 }, 0 }, vec3_sub(from_user(to), *tip),
+                       { *tip, 0 }, .mask = mask, .ask = ask_way, .most = 1 };
 }
 
 bool tumble_world_ray(const tumble_world *w, tumble_vec3 from, tumble_vec3 to,
                       unsigned mask, tumble_hit *hit)
 {
-    vec3 tip = from_user(from);
-    question q = { { { &tip, 1 }, 0 }, vec3_sub(from_user(to), tip),
-                   .mask = mask };
-    q.around = ball_around(q.thing);
+    vec3 tip;
+    question q = along_ray(&tip, from, to, mask);
+    return first_met(w, &q, hit);
+}
+
+bool tumble_world_ray_soft(const tumble_world *w, tumble_vec3 from,
+                           tumble_vec3 to, unsigned mask, tumble_hit *hit)
+{
+    vec3 tip;
+    question q = along_ray(&tip, from, to, mask);
+    q.of_soft = true;
+    return first_met(w, &q, hit);
+}
+
+static question near_to(tumble_vec3 x, double most, unsigned mask)
+{
+    return (question){ .around = { from_user(x), most }, .mask = mask,
+                       .ask = ask_near, .by_distance = true, .most = most };
+}
+
+bool tumble_world_nearest(const tumble_world *w, tumble_vec3 x, double most,
+                          unsigned mask, tumble_hit *hit)
+{
+    question q = near_to(x, most, mask);
+    return first_met(w, &q, hit);
+}
+
+bool tumble_world_nearest_soft(const tumble_world *w, tumble_vec3 x,
+                               double most, unsigned mask, tumble_hit *hit)
+{
+    question q = near_to(x, most, mask);
+    q.of_soft = true;
     return first_met(w, &q, hit);
 }
 
@@ -228,7 +323,8 @@ static bool stand(const tumble_world *w, tumble_shape s, tumble_pose pose,
 bool tumble_world_sweep(const tumble_world *w, tumble_shape s, tumble_pose pose,
                         tumble_vec3 way, unsigned mask, tumble_hit *hit)
 {
-    question q = { .way = from_user(way), .mask = mask };
+    question q = { .way = from_user(way), .mask = mask, .ask = ask_way,
+                   .most = 1 };
     return stand(w, s, pose, &q) && first_met(w, &q, hit);
 }
 
@@ -237,8 +333,8 @@ bool tumble_world_sweep_turning(const tumble_world *w, tumble_shape s,
                                 tumble_vec3 turn, unsigned mask,
                                 tumble_hit *hit)
 {
-    question q = { .way = from_user(way), .mask = mask,
-                   .turn = from_user(turn) };
+    question q = { .way = from_user(way), .mask = mask, .ask = ask_way,
+                   .turn = from_user(turn), .most = 1 };
     if (!stand(w, s, pose, &q) || !vec3_is_finite(q.turn)) return false;
     vec3 center = from_user(pose.position);
     q.around.radius += vec3_distance(q.around.center, center);
@@ -260,184 +356,39 @@ static void put(tumble_hit *out, int most, int n, const tumble_hit *hit)
     out[k] = *hit;
 }
 
-static void ask_body(const tumble_world *w, int place, const question *q,
-                     tumble_hit *best)
-{
-    const body_place *x = slots_at(&w->bodies, place);
-    mesh_question m = { .w = w, .q = q, .best = best };
-    if (x && x->mesh) ask_mesh(&m, place, 1, false, meet_prism);
-    for (int k = 0; x && !x->mesh && k < x->pieces; k++) {
-        int b = x->piece[k].number;
-        if (!is_asked(w, b, q)) continue;
-        cast_result r = first_of(q, body_hull(w, b, w->scratch), NULL,
-                                 w->scratch + w->most_vertices);
-        take(best, &r, inside_owner(w, b));
-    }
-}
-
 int tumble_world_ray_all(const tumble_world *w, tumble_vec3 from,
                          tumble_vec3 to, unsigned mask, tumble_hit *out,
                          int most)
 {
-    vec3 tip = from_user(from);
-    question q = { { { &tip, 1 }, 0 }, vec3_sub(from_user(to), tip),
-                   .mask = mask };
-    int n = 0, bodies = w ? w->bodies.count : 0;
-    q.around = ball_around(q.thing);
-    if (!vec3_is_finite(q.way) || !vec3_is_finite(tip)) return 0;
-    for (int k = 0; w && k < bodies + w->world.planes; k++) {
+    vec3 tip;
+    question q = along_ray(&tip, from, to, mask);
+    int n = 0;
+    for (int k = 0; k < askable(w, &q); k++) {
         tumble_hit best = { .fraction = HUGE_VAL };
-        if (k < bodies) {
-            ask_body(w, k, &q, &best);
-        } else if (world_has_plane(&w->world, k - bodies)) {
-            cast_result r = cast_first_plane(q.thing, q.way,
-                                             w->world.plane[k - bodies]);
-            take(&best, &r, tumble_body_ground());
-        }
+        ask_place(w, k, &q, &best);
         if (best.fraction <= 1) put(out, most, n++, &best);
     }
     return n;
 }
-//<
 
-//> face-ask-soft
-//>   A rope is asked link by link, a cloth triangle by triangle.
-typedef cast_result asking(const question *q, rounded b, real most,
-                           vec3 *scratch);
-
-static cast_result ask_way(const question *q, rounded b, real most,
-                           vec3 *scratch)
-{
-    (void)most;
-    return cast_first(q->thing, q->way, b, scratch);
-}
-
-static cast_result ask_near(const question *q, rounded b, real most,
-                            vec3 *scratch)
-{
-    (void)scratch;
-    return cast_nearest(q->around.center, b, most);
-}
-
-// The vertices of facet k of a rope or cloth: two, or three; returns how many.
-static int facet_of(const shape *s, int k, int vertex[3])
-{
-    bool is_cloth = s->kind == SHAPE_CLOTH;
-    for (int i = 0; i < 3; i++) vertex[i] = is_cloth ? s->face[3 * k + i] : k + i;
-    return is_cloth ? 3 : 2;
-}
-
-static void ask_facets(const tumble_world *w, int b, const question *q,
-                       real most, asking *ask, tumble_hit *best)
-{
-    const body *x = &w->world.body[b];
-    const particle *p = w->world.pool.at + x->first;
-    bool is_cloth = x->shape->kind == SHAPE_CLOTH;
-    int facets = is_cloth ? x->shape->mesh.faces : x->shape->particles - 1;
-    vec3 at[3], scratch[4];
-    for (int k = 0; k < facets; k++) {
-        int vertex[3], n = facet_of(x->shape, k, vertex);
-        for (int i = 0; i < n; i++) at[i] = p[vertex[i]].position;
-        rounded facet = { { at, n }, is_cloth ? 0 : x->thickness };
-        sphere ball = ball_around(facet);
-        real near = ball.radius + q->around.radius;
-        if (way_to(q, ball.center) > near * near * (1 + 1e-9)) continue;
-        cast_result r = ask(q, facet, most, scratch);
-        if (!r.hits || !(r.fraction < best->fraction)) continue;
-        take(best, &r, inside_owner(w, b));
-        real least = HUGE_VAL;
-        for (int i = 0; i < n; i++) {
-            real far = vec3_distance(at[i], r.point);
-            if (far < least) best->vertex = vertex[i];
-            least = real_min(far, least);
-        }
-    }
-}
-
-static bool ask_soft(const tumble_world *w, const question *q, real most,
-                     asking *ask, tumble_hit *hit)
+static bool overlaps(const tumble_world *w, const body_place *x,
+                     const question *q)
 {
     tumble_hit best = { .fraction = HUGE_VAL };
-    if (!w || !vec3_is_finite(q->way) || !vec3_is_finite(q->around.center))
-        return false;
-    for (int b = 0; b < w->world.bodies; b++) {
-        const body *x = &w->world.body[b];
-        if (body_is_gone(x) || !body_is_soft(x) || !(x->group & q->mask)) continue;
-        ask_facets(w, b, q, most, ask, &best);
-    }
-    if (hit && best.fraction < HUGE_VAL) *hit = best;
+    ask_body(w, x, q, &best);
     return best.fraction < HUGE_VAL;
-}
-
-bool tumble_world_ray_soft(const tumble_world *w, tumble_vec3 from,
-                           tumble_vec3 to, unsigned mask, tumble_hit *hit)
-{
-    vec3 tip = from_user(from);
-    question q = { { { &tip, 1 }, 0 }, vec3_sub(from_user(to), tip),
-                   .mask = mask };
-    q.around = ball_around(q.thing);
-    return ask_soft(w, &q, 1, ask_way, hit);
-}
-
-bool tumble_world_nearest_soft(const tumble_world *w, tumble_vec3 x,
-                               double most, unsigned mask, tumble_hit *hit)
-{
-    question q = { .around = { from_user(x), most }, .mask = mask };
-    return ask_soft(w, &q, most, ask_near, hit);
-}
-//<
-
-//> face-ask-near
-//>   What is nearest to a point, and what overlaps a shape? These two need one
-//>   distance a body.
-bool tumble_world_nearest(const tumble_world *w, tumble_vec3 x, double most,
-                          unsigned mask, tumble_hit *hit)
-{
-    vec3 at = from_user(x);
-    question q = { .around = { at, most }, .mask = mask };
-    tumble_hit best = { .fraction = HUGE_VAL };
-    if (!w) return false;
-    for (int b = 0; b < w->world.bodies; b++) {
-        if (!is_asked(w, b, &q)) continue;
-        cast_result r = cast_nearest(at, body_hull(w, b, w->scratch), most);
-        take(&best, &r, inside_owner(w, b));
-    }
-    for (int k = 0; k < w->world.planes; k++) {
-        if (!world_has_plane(&w->world, k)) continue;
-        cast_result r = cast_nearest_plane(at, w->world.plane[k], most);
-        take(&best, &r, tumble_body_ground());
-    }
-    mesh_question m = { .w = w, .q = &q, .best = &best, .most = most };
-    for (int k = w->first_mesh; k > 0; k = inside_next_mesh(w, k))
-        ask_mesh(&m, k - 1, real_min(best.fraction, most), true, near_prism);
-    if (hit && best.fraction < HUGE_VAL) *hit = best;
-    return best.fraction < HUGE_VAL;
-}
-
-static bool overlaps(const tumble_world *w, int place, const question *q)
-{
-    const body_place *x = slots_at(&w->bodies, place);
-    mesh_question m = { .w = w, .q = q };
-    if (x->mesh) ask_mesh(&m, place, 1, false, overlap_prism);
-    if (m.overlaps) return true;
-    for (int k = 0; k < x->pieces; k++) {
-        int b = x->piece[k].number;
-        if (is_asked(w, b, q)
-            && cast_overlaps(q->thing, body_hull(w, b, w->scratch))) return true;
-    }
-    return false;
 }
 
 int tumble_world_overlap(const tumble_world *w, tumble_shape s,
                          tumble_pose pose, unsigned mask, tumble_body *out,
                          int most)
 {
-    question q = { .mask = mask };
+    question q = { .mask = mask, .ask = ask_overlap, .most = 1 };
     int n = 0;
     if (!stand(w, s, pose, &q)) return 0;
     for (int k = 0; k < w->bodies.count; k++) {
         const body_place *x = slots_at(&w->bodies, k);
-        if (!x || !overlaps(w, k, &q)) continue;
+        if (!x || !overlaps(w, x, &q)) continue;
         if (out && n < most) out[n] = inside_owner(w, x->piece[0].number);
         n++;
     }
@@ -463,13 +414,9 @@ static bool soft_overlaps(const world *w, const body *x, const question *q)
 static bool is_sensed(const tumble_world *w, const body_place *sensor,
                       const body_place *x, const question *q)
 {
-    int b = x->piece[0].number;
-    const body *all = &w->world.body[b];
+    const body *all = &w->world.body[x->piece[0].number];
     if (x->kind == TUMBLE_STATIC || !(all->mask & sensor->group)) return false;
-    if (!body_is_soft(all)) {
-        return is_asked(w, b, q)
-            && cast_overlaps(q->thing, body_hull(w, b, w->scratch));
-    }
+    if (!body_is_soft(all)) return overlaps(w, x, q);
     return (all->group & q->mask) && soft_overlaps(&w->world, all, q);
 }
 
@@ -479,7 +426,7 @@ static bool some_piece_senses(const tumble_world *w, const body_place *sensor,
 {
     vec3 *at = w->scratch + 3 * w->most_vertices;
     for (int k = 0; k < sensor->pieces; k++) {
-        question q = { .mask = sensor->mask };
+        question q = { .mask = sensor->mask, .ask = ask_overlap, .most = 1 };
         q.thing = body_hull(w, sensor->piece[k].number, at);
         q.around = ball_around(q.thing);
         if (is_sensed(w, sensor, x, &q)) return true;

@@ -27,19 +27,28 @@ static real contact_age(const world *w, const contact *c)
     return body_age(w, body_is_dynamic(&w->body[c->a]) ? c->a : c->b);
 }
 
-static tumble_contact told(const tumble_world *w, const contact *c)
+tumble_contact inside_contact(const tumble_world *w, const contact *c,
+                              const rigid_frame *a, const rigid_frame *b,
+                              bool has_pushed)
 {
     tumble_contact t = { .a = inside_owner(w, c->a),
                          .b = inside_owner(w, c->b),
                          .normal = to_user(c->normal) };
-    rigid_frame a = inside_frame(w, c->a), b = inside_frame(w, c->b);
     for (int k = 0; k < c->count; k++) {
-        if (!(c->impulse[k] > 0)) continue;
-        contact_arms arm = contact_arms_of(c, k, &a, c->b < 0 ? NULL : &b);
-        t.point[t.points] = to_user(vec3_add(a.center, arm.a));
-        t.force[t.points++] = c->impulse[k] / contact_age(&w->world, c);
+        if (has_pushed && !(c->impulse[k] > 0)) continue;
+        contact_arms arm = contact_arms_of(c, k, a, b);
+        t.point[t.points] = to_user(vec3_add(a->center, arm.a));
+        if (has_pushed)
+            t.force[t.points] = c->impulse[k] / contact_age(&w->world, c);
+        t.points++;
     }
     return t;
+}
+
+static tumble_contact told(const tumble_world *w, const contact *c)
+{
+    rigid_frame a = inside_frame(w, c->a), b = inside_frame(w, c->b);
+    return inside_contact(w, c, &a, c->b < 0 ? NULL : &b, true);
 }
 
 int tumble_world_contacts(const tumble_world *w, tumble_contact *out, int most)
@@ -62,18 +71,13 @@ int tumble_world_contacts(const tumble_world *w, tumble_contact *out, int most)
 //<
 
 //> face-events
-static int compare(unsigned a, unsigned b)
-{
-    return (a > b) - (a < b);
-}
-
 static int by_bodies(const void *p, const void *q)
 {
     const tumble_contact *a = p, *b = q;
-    int order = compare(a->a.place, b->a.place);
-    if (order == 0) order = compare(a->a.generation, b->a.generation);
-    if (order == 0) order = compare(a->b.place, b->b.place);
-    return order != 0 ? order : compare(a->b.generation, b->b.generation);
+    int order = inside_compare(a->a.place, b->a.place);
+    if (order == 0) order = inside_compare(a->a.generation, b->a.generation);
+    if (order == 0) order = inside_compare(a->b.place, b->b.place);
+    return order != 0 ? order : inside_compare(a->b.generation, b->b.generation);
 }
 
 // The pairs that touch now, each once, sorted; n of them.

@@ -5,21 +5,29 @@
 
 #include <stdlib.h>
 
-// Writes the points that piece b of a body is drawn with to the world's scratch;
-// returns them, as they are in its shape.
-static struct skin place_skin(const tumble_world *w, int b)
+// What piece k of a body is drawn with: of a surface, which is one, all of it.
+static struct skin skin_of(const tumble_world *w, const body_place *x, int k)
 {
-    const body *x = &w->world.body[b];
-    if (x->shape->round > 0) world_skin(&w->world, x, w->scratch);
-    else world_vertices(&w->world, x, w->scratch);
-    return shape_skin(x->shape);
+    if (!x->mesh) return shape_skin(w->world.body[x->piece[k].number].shape);
+    const surface *s = &x->mesh->surface;
+    return (struct skin){ s->points, s->triangles, s->point, s->triangle[0] };
 }
 
-static int mesh_vertices(const surface *s, tumble_vec3 *out, int most)
+static int skins(const body_place *x)
 {
-    for (int k = 0; out && k < s->points && k < most; k++)
-        out[k] = to_user(s->point[k]);
-    return s->points;
+    return x->mesh ? 1 : x->pieces;
+}
+
+// The same, with its points where they are now: in the world's scratch.
+static struct skin place_skin(const tumble_world *w, const body_place *x, int k)
+{
+    const body *all = &w->world.body[x->piece[k].number];
+    struct skin s = skin_of(w, x, k);
+    if (x->mesh) return s;
+    if (all->shape->round > 0) world_skin(&w->world, all, w->scratch);
+    else world_vertices(&w->world, all, w->scratch);
+    s.at = w->scratch;
+    return s;
 }
 
 int tumble_body_vertices(const tumble_world *w, tumble_body b, tumble_vec3 *out,
@@ -27,11 +35,10 @@ int tumble_body_vertices(const tumble_world *w, tumble_body b, tumble_vec3 *out,
 {
     const body_place *x = inside_look(w, b);
     int n = 0;
-    if (x && x->mesh) return mesh_vertices(&x->mesh->surface, out, most);
-    for (int k = 0; x && k < x->pieces; k++) {
-        struct skin s = place_skin(w, x->piece[k].number);
+    for (int k = 0; x && k < skins(x); k++) {
+        struct skin s = place_skin(w, x, k);
         for (int i = 0; i < s.points; i++, n++)
-            if (out && n < most) out[n] = to_user(w->scratch[i]);
+            if (out && n < most) out[n] = to_user(s.at[i]);
     }
     return n;
 }
@@ -41,12 +48,8 @@ const int *tumble_body_triangles(const tumble_world *w, tumble_body b,
 {
     const body_place *x = inside_look(w, b);
     if (count) *count = 0;
-    if (x && x->mesh) {
-        if (count) *count = x->mesh->surface.triangles;
-        return x->mesh->surface.triangle[0];
-    }
-    if (!x || x->pieces != 1) return NULL;
-    struct skin s = shape_skin(w->world.body[x->piece[0].number].shape);
+    if (!x || skins(x) != 1) return NULL;
+    struct skin s = skin_of(w, x, 0);
     if (count) *count = s.faces;
     return s.face;
 }
@@ -55,13 +58,12 @@ const int *tumble_body_triangles(const tumble_world *w, tumble_body b,
 //> face-draw
 //>   The lines for debugging are handed to a function of the program, one at a
 //>   time, so that the library needs no graphics.
-static void draw_triangles(const tumble_world *w, struct skin s,
-                           tumble_body id, const tumble_pen *pen)
+static void draw_triangles(struct skin s, tumble_body id, const tumble_pen *pen)
 {
     for (int f = 0; f < s.faces; f++) {
         const int *v = s.face + 3 * f;
         tumble_vec3 at[3];
-        for (int k = 0; k < 3; k++) at[k] = to_user(w->scratch[v[k]]);
+        for (int k = 0; k < 3; k++) at[k] = to_user(s.at[v[k]]);
         pen->triangle(pen->context, id, at);
     }
 }
@@ -76,24 +78,17 @@ static void draw_links(const tumble_world *w, const body *x, tumble_body id,
     }
 }
 
-static void draw_body(const tumble_world *w, int b, const tumble_pen *pen)
+static void draw_piece(const tumble_world *w, const body_place *x, int k,
+                       const tumble_pen *pen)
 {
-    const body *x = &w->world.body[b];
+    int b = x->piece[k].number;
+    const body *all = &w->world.body[b];
     tumble_body id = inside_owner(w, b);
-    struct skin s = place_skin(w, b);
-    if (x->shape->kind == SHAPE_ROPE) {
-        if (pen->line) draw_links(w, x, id, pen);
+    struct skin s = place_skin(w, x, k);
+    if (all->shape->kind == SHAPE_ROPE) {
+        if (pen->line) draw_links(w, all, id, pen);
     } else if (pen->triangle) {
-        draw_triangles(w, s, id, pen);
-    }
-}
-
-static void draw_mesh(const surface *s, tumble_body id, const tumble_pen *pen)
-{
-    for (int k = 0; k < s->triangles && pen->triangle; k++) {
-        tumble_vec3 at[3];
-        for (int i = 0; i < 3; i++) at[i] = to_user(s->point[s->triangle[k][i]]);
-        pen->triangle(pen->context, id, at);
+        draw_triangles(s, id, pen);
     }
 }
 
@@ -127,13 +122,7 @@ void tumble_world_draw(const tumble_world *w, const tumble_pen *pen)
     if (!w || !pen) return;
     for (int k = 0; k < w->bodies.count; k++) {
         const body_place *x = slots_at(&w->bodies, k);
-        if (x && x->mesh) {
-            draw_mesh(&x->mesh->surface, inside_owner(w, x->piece[0].number),
-                      pen);
-            continue;
-        }
-        for (int i = 0; x && i < x->pieces; i++)
-            draw_body(w, x->piece[i].number, pen);
+        for (int i = 0; x && i < skins(x); i++) draw_piece(w, x, i, pen);
     }
     const linkage *l = &w->world.joints;
     for (int k = 0; k < l->count; k++)

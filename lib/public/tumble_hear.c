@@ -26,16 +26,11 @@ static tumble_impulse impulse_of(const tumble_world *w, const heard_impulse *h)
     return x;
 }
 
-static int compare_ids(unsigned a, unsigned b)
-{
-    return (a > b) - (a < b);
-}
-
 static int by_pair(const void *p, const void *q)
 {
     const tumble_impulse *x = p, *y = q;
-    int order = compare_ids(x->a.place, y->a.place);
-    if (order == 0) order = compare_ids(x->b.place, y->b.place);
+    int order = inside_compare(x->a.place, y->a.place);
+    if (order == 0) order = inside_compare(x->b.place, y->b.place);
     if (order != 0) return order;
     // Those of a pair, too, always in one order: their sum has bits.
     if (x->impulse != y->impulse) return x->impulse < y->impulse ? -1 : 1;
@@ -87,14 +82,8 @@ static bool ask_program(void *chooser, const contact *c)
 {
     const tumble_world *w = chooser;
     const solver_body *now = w->world.rigid.now;
-    tumble_contact t = { .a = inside_owner(w, c->a), .b = inside_owner(w, c->b),
-                         .normal = to_user(c->normal) };
-    const rigid_frame *a = &now[c->a].frame;
-    const rigid_frame *b = c->b < 0 ? NULL : &now[c->b].frame;
-    for (int k = 0; k < c->count; k++) {
-        contact_arms arm = contact_arms_of(c, k, a, b);
-        t.point[t.points++] = to_user(vec3_add(a->center, arm.a));
-    }
+    tumble_contact t = inside_contact(w, c, &now[c->a].frame,
+                                      c->b < 0 ? NULL : &now[c->b].frame, false);
     return w->meets(w->meets_context, &t);
 }
 

@@ -83,32 +83,22 @@ static surface_box box_around(vec3 x, real radius)
     return (surface_box){ vec3_sub(x, r), vec3_add(x, r) };
 }
 
-static presence soft_presence(const world *w, const body *x)
+// m, how far a rope or cloth may get out of its ball.
+static real soft_beside(const world *w, const body *x)
 {
     const particle *p = w->pool.at + x->first;
-    int n = body_particles(x);
     real g = vec3_length(w->options.gravity), most = 0;
-    presence it = { .beside = 0 };
-    for (int i = 0; i < n; i++)
-        it.ball.center = vec3_add_scaled(it.ball.center, 1.0 / n,
-                                         p[i].position);
-    for (int i = 0; i < n; i++) {
-        real far = vec3_distance(it.ball.center, p[i].position);
-        it.ball.radius = real_max(it.ball.radius, far);
+    for (int i = 0; i < body_particles(x); i++)
         most = real_max(most, vec3_distance(p[i].position, p[i].previous));
-    }
-    it.ball.radius += 2 * x->thickness;
-    it.beside = most * w->frame / w->age + g * w->frame * w->frame;
-    return it;
+    return most * w->frame / w->age + g * w->frame * w->frame;
 }
 
 static presence presence_of(const world *w, int b)
 {
-    const rigid_tables *t = &w->rigid;
-    presence it = { .ball = t->ball[b], .way = t->ahead[b].way,
-                    .beside = t->ahead[b].turn };
-    if (body_is_soft(&w->body[b])) it = soft_presence(w, &w->body[b]);
-    it.body = b;
+    const prediction *ahead = &w->rigid.ahead[b];
+    const body *x = &w->body[b];
+    presence it = { .body = b, .ball = world_ball(w, b), .way = ahead->way };
+    it.beside = body_is_soft(x) ? soft_beside(w, x) : ahead->turn;
     it.reach = box_around(it.ball.center, it.ball.radius + it.beside
                                           + vec3_length(it.way));
     return it;

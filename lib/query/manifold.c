@@ -98,18 +98,18 @@ static real lean_squared(real turn)
     return lean * lean;
 }
 
-// The square of a face's normal, and of its part along d (0 if it looks away):
-// their ratio is the cosine of the angle between the two, squared.
-typedef struct {
-    real whole, along;
-} look;
-
-static vec3 face_area(const shape *s, const vec3 *at, int f)
+vec3 face_area(const shape *s, const vec3 *at, int f)
 {
     const int *v = &s->face[3 * f];
     return vec3_cross(vec3_sub(at[v[1]], at[v[0]]),
                       vec3_sub(at[v[2]], at[v[0]]));
 }
+
+// The square of a face's normal, and of its part along d (0 if it looks away):
+// their ratio is the cosine of the angle between the two, squared.
+typedef struct {
+    real whole, along;
+} look;
 
 static look face_look(const shape *s, const vec3 *at, int f, vec3 d)
 {

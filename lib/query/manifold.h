@@ -57,8 +57,12 @@ manifold manifold_on_plane(const collider *a, vec3 normal, real offset,
 // is nearest.  (Coins sink twice as deep with twice as much, and no less with half.)
 static const real MANIFOLD_TURN = 0.05;     // tuned, rad
 
-// Does face f of a body with vertices at `at` look along the unit vector d, to
-// within 8 degrees (cosine squared 0.98)?
+// m^2, the normal of face f of a body with vertices at `at`, outwards and twice
+// as long as the face is large.
+vec3 face_area(const shape *s, const vec3 *at, int f);
+
+// Does it look along the unit vector d, to within 8 degrees (cosine squared
+// 0.98)?
 int face_looks(const shape *s, const vec3 *at, int f, vec3 d);
 
 #endif

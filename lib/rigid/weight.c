@@ -131,12 +131,6 @@ status weight_give(shape *s, const shape *of, real mass, vec3 center,
 //>   Several pieces that are one body have one weight: the sum of their masses,
 //>   the mean of their centres, and their spreads about it (the parallel axes of
 //>   Huygens and Steiner).
-static vec3 placed_at(const placement *at, vec3 r)
-{
-    return vec3_add(vec3_scale(r.x, at->x),
-           vec3_add(vec3_scale(r.y, at->y), vec3_scale(r.z, at->z)));
-}
-
 static real number_of(vec3 v, int i)
 {
     return i == 0 ? v.x : i == 1 ? v.y : v.z;
@@ -167,7 +161,7 @@ void weight_add(struct weight *sum, const shape *piece, const placement *at)
 {
     rigid_solid q = rigid4_solid(piece);
     real mass = rigid4_mass(piece);
-    vec3 c = vec3_add(at->position, placed_at(at, q.center));
+    vec3 c = vec3_add(at->position, placement_vector(at, q.center));
     sum->mass += mass;
     sum->center = vec3_add_scaled(sum->center, mass, c);
     add_turned(sum->spread, mass, q.spread, at);
@@ -185,7 +179,7 @@ void weight_mean(struct weight *sum)
 void weight_reach(struct weight *whole, const shape *piece, const placement *at)
 {
     for (int v = 0; v < piece->particles; v++) {
-        vec3 x = vec3_add(at->position, placed_at(at, piece->at[v]));
+        vec3 x = vec3_add(at->position, placement_vector(at, piece->at[v]));
         real far = vec3_distance(x, whole->center) + piece->round;
         whole->reach = real_max(whole->reach, far);
     }
@@ -197,13 +191,14 @@ status weight_piece(shape *s, const shape *piece, const placement *at,
     status done = weight_copy(s, piece);
     if (!done.ok) return done;
     s->own = *whole;
-    s->middle = vec3_add(at->position, placed_at(at, piece->middle));
+    s->middle = vec3_add(at->position, placement_vector(at, piece->middle));
     for (int v = 0; v < s->particles; v++) {
-        s->at[v] = vec3_add(at->position, placed_at(at, piece->at[v]));
+        s->at[v] = vec3_add(at->position, placement_vector(at, piece->at[v]));
         s->mass[v] = whole->mass / s->particles;
     }
     for (int k = 0; k < s->skin.points; k++)
-        s->skin.at[k] = vec3_add(at->position, placed_at(at, piece->skin.at[k]));
+        s->skin.at[k] = vec3_add(at->position,
+                                 placement_vector(at, piece->skin.at[k]));
     return done;
 }
 //<

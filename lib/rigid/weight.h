@@ -12,6 +12,13 @@
 #include "rigid4.h"
 #include "scene.h"
 
+// A vector of its frame, as it is turned.
+static inline vec3 placement_vector(const placement *at, vec3 r)
+{
+    return vec3_add(vec3_scale(r.x, at->x),
+           vec3_add(vec3_scale(r.y, at->y), vec3_scale(r.z, at->z)));
+}
+
 // A shape with copies of all that `of` has.  Fails, and leaves *s empty, if
 // memory is refused.
 status weight_copy(shape *s, const shape *of);

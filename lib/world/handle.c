@@ -94,9 +94,8 @@ status world_put(world *w, int b, placement where)
     status done = placement_check(&where, x->shape, b);
     if (!done.ok) return done;
     where.is_static = body_is_static(x);
-    world_wake(w, b);
     world_wake_around(w, b);
-    cache_forget(&w->rigid.cache, b);
+    cache_forget(&w->rigid.cache, &b, 1);
     soft_forget(&w->soft, b);
     world_place(w, b, &where);
     if (x->is_kinematic)
@@ -213,7 +212,6 @@ status world_set_gravity_scale(world *w, int b, real scale)
         return status_fail("%g times the world's gravity on a body; it must lie "
                            "between -1000 and 1000", scale);
     vec3 was = since_then(w, b), none = { 0, 0, 0 };
-    world_wake(w, b);
     world_wake_around(w, b);
     w->body[b].gravity = scale;
     w->is_uneven |= scale != 1;
@@ -309,7 +307,6 @@ void world_set_kinematic(world *w, int b, bool is_kinematic)
     body *x = &w->body[b];
     if (body_is_static(x) || x->is_kinematic == is_kinematic) return;
     placement at = world_where(w, b);
-    world_wake(w, b);
     world_wake_around(w, b);
     x->is_kinematic = is_kinematic;
     w->is_choosy = true;
@@ -331,7 +328,6 @@ void world_set_static(world *w, int b, bool is_static)
     vec3 none = { 0, 0, 0 };
     assert(!x->is_kinematic);
     if (body_is_static(x) == is_static) return;
-    world_wake(w, b);
     world_wake_around(w, b);
     real inverse = is_static ? 0 : 1 / x->rigid->mass;
     x->mass = is_static ? HUGE_VAL : FOUR * x->rigid->mass;
@@ -353,7 +349,6 @@ void world_set_filter(world *w, int b, unsigned group, unsigned mask)
     w->body[b].group = group;
     w->body[b].mask = mask;
     w->is_choosy = true;
-    world_wake(w, b);
     world_wake_around(w, b);
     world_renew(w, b);
 }

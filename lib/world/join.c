@@ -259,35 +259,6 @@ void join_begin(world *w, const solver_frame *f)
     linkage_prepare(&w->joints, &q);
 }
 
-// The joints are those of the bodies on which pieces ride.
-static bool are_pieces_joined(const world *w, const int pair[2])
-{
-    const body *x = &w->body[pair[0]], *y = &w->body[pair[1]];
-    if (!x->rides && !y->rides) return false;
-    int a = body_whole(x, pair[0]), b = body_whole(y, pair[1]);
-    for (int k = 0; k < w->joints.count; k++) {
-        const joint *j = &w->joints.joint[k];
-        if (j->kind == JOINT_NONE || j->is_broken || j->may_touch) continue;
-        if ((j->a == a && j->b == b) || (j->a == b && j->b == a)) return true;
-    }
-    return false;
-}
-
-// What is joined does not meet.
-void join_drop_pairs(world *w)
-{
-    pair_list *l = &w->rigid.pairs;
-    int left = 0;
-    if (w->joints.count == 0) return;
-    l->count = linkage_drop_pairs(&w->joints, l->pair, l->count);
-    for (int k = 0; k < l->count; k++) {
-        if (are_pieces_joined(w, l->pair[k])) continue;
-        l->pair[left][0] = l->pair[k][0];
-        l->pair[left++][1] = l->pair[k][1];
-    }
-    l->count = left;
-}
-
 // What hangs on something that moves wakes as what lies on it does.
 void join_wake(world *w)
 {

@@ -63,13 +63,12 @@ real world_joint_drive(const world *w, int number);
 //<
 
 //> join-declare-inside
-//>   Five more are for the step, and not for a program.
+//>   Three more are for the step, and not for a program.
 // A frame's part of the work, for step.c.  join_wake: what hangs on something that
 // moves wakes, as world_wake_near says.
 void join_wake(world *w);
 linkage_pass join_pass(world *w, const solver_frame *f);
 void join_begin(world *w, const solver_frame *f);
-void join_drop_pairs(world *w);
 void join_islands_of_joints(world *w);
 
 #endif

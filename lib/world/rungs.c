@@ -3,6 +3,7 @@
 //>   pair (union-find), and one of them tells of all.
 #include "rungs.h"
 #include "substeps.h"
+#include "table.h"
 
 #include <stddef.h>
 #include <string.h>
@@ -275,18 +276,10 @@ static void begin_at(rigid_tables *t)
 
 static void swap_contacts(rigid_tables *t, int a, int b)
 {
-    active_contact x = t->solver.active[a];
-    contact *c = t->cache.active[a];
-    cache_pair *of = t->cache.of[a];
-    int to = t->solver.order[a];
-    t->solver.active[a] = t->solver.active[b];
-    t->cache.active[a] = t->cache.active[b];
-    t->cache.of[a] = t->cache.of[b];
-    t->solver.order[a] = t->solver.order[b];
-    t->solver.active[b] = x;
-    t->cache.active[b] = c;
-    t->cache.of[b] = of;
-    t->solver.order[b] = to;
+    SWAP(active_contact, t->solver.active[a], t->solver.active[b]);
+    SWAP(contact *, t->cache.active[a], t->cache.active[b]);
+    SWAP(cache_pair *, t->cache.of[a], t->cache.of[b]);
+    SWAP(int, t->solver.order[a], t->solver.order[b]);
 }
 
 // Bodies and contacts keep their order on a rung.  What does not move is nowhere

@@ -24,41 +24,25 @@ void shape_store(shape *x, store *s)
 //> snapshot-pairs
 //>   The list of pairs is found again for the same balls. It is sorted, so it is
 //>   the same list: the order of impulses follows from it.
+// Of a list of tables of x: one that is saved, and one that is only room.
+#define SAVED(table, kept, room) STORE_TABLE(s, x->table, kept, room);
+#define ROOM(table, kept, room) STORE_ROOM(s, x->table, room);
+
 // Of its tables only the order outlives a call.
 static void broad_store(broad *x, store *s)
 {
-    int n = x->room, places = LANES_A_BODY * n;
-    STORE_TABLE(s, x->order, x->bodies, n);
-    STORE_ROOM(s, x->tree, n);
-    STORE_ROOM(s, x->place, n);
-    STORE_ROOM(s, x->key, n);
-    STORE_ROOM(s, x->box, broad_boxes(n));
+    BROAD_TABLES(SAVED, ROOM, x, x->room)
     STORE_FORGET(s, x->in_tree);
     STORE_FORGET(s, x->leaves);
-    STORE_ROOM(s, x->low, n);
-    STORE_ROOM(s, x->high, n);
-    STORE_ROOM(s, x->first, n + 1);
-    STORE_ROOM(s, x->reach, n);
-    STORE_ROOM(s, x->lane, n + 2);
-    STORE_ROOM(s, x->start, places);
-    STORE_ROOM(s, x->line, places);
-    STORE_ROOM(s, x->who, places);
-    STORE_ROOM(s, x->mover, places + 1);
 }
 
-static void pair_list_store(pair_list *l, store *s)
+static void pair_list_store(pair_list *x, store *s)
 {
-    STORE_ROOM(s, l->pair, l->capacity);
-    STORE_ROOM(s, l->fresh, l->fresh_capacity);
-    STORE_ROOM(s, l->wall, l->wall_capacity);
-    STORE_TABLE(s, l->listed, l->bodies, l->room);
-    STORE_TABLE(s, l->is_new, l->bodies, l->room);
-    STORE_ZEROS(s, l->is_settled, l->room);
-    STORE_ROOM(s, l->loose, l->room);
-    STORE_FORGET(s, l->looses);
-    STORE_FORGET(s, l->is_due);
-    l->is_due |= s->is_reading;
-    broad_store(&l->broad, s);
+    PAIR_TABLES(SAVED, ROOM, x)
+    STORE_FORGET(s, x->looses);
+    STORE_FORGET(s, x->is_due);
+    x->is_due |= s->is_reading;
+    broad_store(&x->broad, s);
 }
 //<
 
@@ -73,24 +57,14 @@ static void cache_list_store(cache_list *l, store *s)
     STORE_ROOM(s, l->spare_key, l->spare_capacity);
 }
 
-static void cache_store(contact_cache *c, store *s)
+static void cache_store(contact_cache *x, store *s)
 {
-    cache_list_store(&c->pairs, s);
-    cache_list_store(&c->walls, s);
-    cache_list_store(&c->still_pairs, s);
-    cache_list_store(&c->still_walls, s);
-    STORE_TABLE(s, c->entry, c->entries, c->entry_capacity);
-    STORE_ROOM(s, c->was, c->entry_capacity);
-    STORE_ROOM(s, c->first, c->room);
-    STORE_ROOM(s, c->last, c->room);
-    STORE_ROOM(s, c->met, c->met_capacity);
-    STORE_TABLE(s, c->placed, c->room, c->room);
-    STORE_TABLE(s, c->placing, c->room, c->room);
-    STORE_TABLE(s, c->vertex, c->vertices, c->vertex_room);
-    STORE_ROOM(s, c->active, c->active_capacity);
-    STORE_ROOM(s, c->of, c->active_capacity);
-    STORE_ROOM(s, c->reach, c->active_capacity);
-    STORE_FORGET(s, c->actives);
+    cache_list_store(&x->pairs, s);
+    cache_list_store(&x->walls, s);
+    cache_list_store(&x->still_pairs, s);
+    cache_list_store(&x->still_walls, s);
+    CACHE_TABLES(SAVED, ROOM, x)
+    STORE_FORGET(s, x->actives);
 }
 
 // Blocks outlive a frame if its contacts do.

@@ -388,33 +388,30 @@ static bool is_past(const world *w, int b, sphere ball)
                beyond(x.z, low.z, high.z) };
     return vec3_length_squared(d) > ball.radius * ball.radius;
 }
-
-// A list without parts that bodies do not reach.
-static void drop_parts(world *w)
-{
-    pair_list *l = &w->rigid.pairs;
-    int kept = 0;
-    for (int k = 0; k < l->count; k++) {
-        int a = l->pair[k][0], b = l->pair[k][1];
-        if (w->body[a].is_part && is_past(w, a, l->listed[b])) continue;
-        if (w->body[b].is_part && is_past(w, b, l->listed[a])) continue;
-        l->pair[kept][0] = a;
-        l->pair[kept++][1] = b;
-    }
-    l->count = kept;
-}
 //<
 
 //> step-pairs
 //>   Chapter 14 finds the pairs, and keeps them while the balls hold.
-// A list without bodies that must not meet.
+static bool stays(const world *w, int a, int b)
+{
+    const body *x = &w->body[a], *y = &w->body[b];
+    const sphere *listed = w->rigid.pairs.listed;
+    return (!w->is_choosy || body_meets(x, y))
+        && !(x->is_part && is_past(w, a, listed[b]))
+        && !(y->is_part && is_past(w, b, listed[a]))
+        && !linkage_keeps_apart(&w->joints, body_whole(x, a), body_whole(y, b));
+}
+
+// A list without those that must not meet, that are joined, and parts of meshes
+// that bodies do not reach.
 static void drop_pairs(world *w)
 {
     pair_list *l = &w->rigid.pairs;
     int kept = 0;
+    linkage_find_apart(&w->joints);
     for (int k = 0; k < l->count; k++) {
         int a = l->pair[k][0], b = l->pair[k][1];
-        if (!body_meets(&w->body[a], &w->body[b])) continue;
+        if (!stays(w, a, b)) continue;
         l->pair[kept][0] = a;
         l->pair[kept++][1] = b;
     }
@@ -431,9 +428,7 @@ static bool list_pairs(world *w, pair_finding *ask)
     int lost;
     bool is_new = ask(&t->pairs, &q, &lost);
     w->report.dropped += lost;
-    if (is_new) join_drop_pairs(w);
-    if (is_new && w->is_choosy) drop_pairs(w);
-    if (is_new && w->options.host.surround) drop_parts(w);
+    if (is_new) drop_pairs(w);
     if (is_new) drive_drop_walls(w);
     return is_new;
 }

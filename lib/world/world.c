@@ -3,6 +3,7 @@
 //>   second.
 #include "world.h"
 #include "table.h"
+#include "weight.h"
 
 #include <assert.h>
 #include <stddef.h>
@@ -194,24 +195,25 @@ void world_unpin(world *w, int b, int i)
     p->inverse_mass = w->inverse_mass[x->first + i] = inverse;
 }
 
+static status set_number(const char *name, real value, real *number)
+{
+    if (!(value >= 0) || !(value < HUGE_VAL))
+        return status_fail("the %s of a body is %g; it must be finite, and 0 or "
+                           "more", name, value);
+    *number = value;
+    return status_ok();
+}
+
 status world_bend(world *w, int b, real stiffness)
 {
     assert(b >= 0 && b < w->bodies && body_is_soft(&w->body[b]));
-    if (!(stiffness >= 0) || !(stiffness < HUGE_VAL))
-        return status_fail("the stiffness of a body is %g; it must be finite, "
-                           "and 0 or more", stiffness);
-    w->body[b].bending = stiffness;
-    return status_ok();
+    return set_number("stiffness", stiffness, &w->body[b].bending);
 }
 
 status world_stretch(world *w, int b, real compliance)
 {
     assert(b >= 0 && b < w->bodies && body_is_soft(&w->body[b]));
-    if (!(compliance >= 0) || !(compliance < HUGE_VAL))
-        return status_fail("the compliance of a body is %g; it must be "
-                           "finite, and 0 or more", compliance);
-    w->body[b].compliance = compliance;
-    return status_ok();
+    return set_number("compliance", compliance, &w->body[b].compliance);
 }
 
 // A pinned cloth becomes longer by this share under its own weight, if nothing else
@@ -243,12 +245,6 @@ static real particle_radius(const shape *s)
 //> world-place
 //>   A body is placed by moving its shape's particles. Verlet's previous
 //>   positions carry the velocity, half a substep old.
-static vec3 placed(const placement *where, vec3 r)
-{
-    return vec3_add(vec3_scale(r.x, where->x),
-           vec3_add(vec3_scale(r.y, where->y), vec3_scale(r.z, where->z)));
-}
-
 // A particle of a body, at `at` in the body's frame, with the velocity of one
 // that turns about its centre of mass.
 static particle placed_particle(const world *w, const placement *where,
@@ -256,8 +252,8 @@ static particle placed_particle(const world *w, const placement *where,
 {
     const vec3 still = { 0, 0, 0 };
     real h = w->age;
-    vec3 x = vec3_add(where->position, placed(where, at));
-    vec3 r = placed(where, vec3_sub(at, center));
+    vec3 x = vec3_add(where->position, placement_vector(where, at));
+    vec3 r = placement_vector(where, vec3_sub(at, center));
     vec3 v = vec3_add(where->velocity, vec3_cross(where->spin, r));
     if (where->is_static) return particle_start(x, still, still, 0, h);
     return particle_start(x, v, gravity, 1 / mass, h);
@@ -329,8 +325,7 @@ bool world_wake_near(world *w, int a, int b)
     return true;
 }
 
-// Around body b, where it is now.
-static sphere ball_of(const world *w, int b)
+sphere world_ball(const world *w, int b)
 {
     const body *x = &w->body[b];
     const particle *p = w->pool.at + x->first;
@@ -358,11 +353,12 @@ static void wake_joined(world *w, int b)
 
 void world_wake_around(world *w, int b)
 {
-    sphere own = ball_of(w, b);
+    sphere own = world_ball(w, b);
+    world_wake(w, b);
     wake_joined(w, b);
     for (int k = 0; k < w->bodies && w->sleep.sleepers > 0; k++) {
         if (!w->sleep.asleep[k]) continue;
-        sphere other = ball_of(w, k);
+        sphere other = world_ball(w, k);
         if (vec3_distance(own.center, other.center)
             <= own.radius + other.radius) world_wake(w, k);
     }
@@ -562,7 +558,7 @@ void world_weigh(world *w)
 
 void world_renew(world *w, int b)
 {
-    cache_forget(&w->rigid.cache, b);
+    cache_forget(&w->rigid.cache, &b, 1);
     soft_forget(&w->soft, b);
     start_body(w, b);
 }
@@ -784,16 +780,15 @@ static void leave(world *w, int b)
 void world_remove(world *w, int b)
 {
     assert(b >= 0 && b < w->bodies && !body_is_gone(&w->body[b]));
-    world_wake(w, b);
     world_wake_around(w, b);
     leave_joints(w, b);
-    cache_forget(&w->rigid.cache, b);
+    cache_forget(&w->rigid.cache, &b, 1);
     leave(w, b);
 }
 
 void world_remove_parts(world *w, const int *part, int n)
 {
-    cache_forget_some(&w->rigid.cache, part, n);
+    cache_forget(&w->rigid.cache, part, n);
     for (int k = 0; k < n; k++) leave(w, part[k]);
 }
 //<

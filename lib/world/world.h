@@ -423,7 +423,10 @@ static inline bool body_is_driven(const world *w, int b)
 // Wakes body b, and all that sleep with it.
 void world_wake(world *w, int b);
 
-// Wakes what sleeps near body b: it may lie on it, or hang on it.
+// Around body b where it is now.
+sphere world_ball(const world *w, int b);
+
+// Wakes body b, and what sleeps near it: that may lie on it, or hang on it.
 void world_wake_around(world *w, int b);
 
 // The steps look at body b again.  It wakes, comes or changes.

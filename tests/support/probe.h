@@ -8,6 +8,7 @@
 #define TUMBLE_PROBE_H
 
 #include "drive.h"
+#include "forget.h"
 #include "world.h"
 
 // The largest restitution; NAN while it has not been asked for since the last

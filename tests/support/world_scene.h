@@ -1,13 +1,19 @@
-//> world-scene-fill
-//>   A rope's shape is straight, but a slack rope hangs from the start: its
-//>   positions are set here.
-#include "world_scene.h"
+// world_scene.h - the engine's world from a scene of chapter 09, and the
+// paper's experiments, for figures and tests.
+//
+// Paper: section 7, Figure 8.  Book: chapter 18.
+
+#ifndef TUMBLE_WORLD_SCENE_H
+#define TUMBLE_WORLD_SCENE_H
+
+#include "measure.h"
+#include "scene.h"
 
 #include <assert.h>
 #include <stddef.h>
 
 // Body k stands where the scene's own list of positions says, at rest.
-static void move_to_start(world *w, int k, const vec3 *start)
+static inline void move_to_start(world *w, int k, const vec3 *start)
 {
     const body *b = &w->body[k];
     for (int i = 0; i < b->shape->particles; i++) {
@@ -16,7 +22,11 @@ static void move_to_start(world *w, int k, const vec3 *start)
     }
 }
 
-status world_of_scene(world *w, const scene *s, world_options how)
+// Fills a new world with what the scene describes, ready to step.  Body k of
+// the world is body k of the scene, whose shapes must outlive the world.
+// Fails with a sentence (an option out of range, more planes than there is room
+// for, memory), leaving *w empty.
+static inline status world_of_scene(world *w, const scene *s, world_options how)
 {
     status done = world_init(w, how);
     for (int k = 0; k < s->planes && done.ok; k++)
@@ -35,11 +45,19 @@ status world_of_scene(world *w, const scene *s, world_options how)
     if (!done.ok) world_free(w);
     return done;
 }
-//<
 
-//> world-scene-options
-//>   Finer cloth needs more substeps.
-world_options world_scene_options(scene_kind kind, int cloth)
+// One of the paper's experiments, and a world that runs it.
+typedef struct {
+    scene_kind kind;
+    scene scene;
+    struct world world;
+    real size;          // m, the scene's
+    real body_radius;   // m, of a thrown body; what penetration is measured by
+} world_scene;
+
+// world_options_default, with the substeps that this scene needs; a cloth of so
+// many particles along a side.
+static inline world_options world_scene_options(scene_kind kind, int cloth)
 {
     world_options o = world_options_default();
     if (kind == SCENE_ROOM) return o;
@@ -55,12 +73,19 @@ world_options world_scene_options(scene_kind kind, int cloth)
     o.relax.root = ROOT_APPROXIMATE;
     return o;
 }
-//<
 
-//> world-scene-build
-//>   A new world, filled with what the scene describes.
-status world_scene_build(world_scene *s, scene_kind kind, scene_options what,
-                         world_options how)
+static inline void world_scene_free(world_scene *s)
+{
+    world_free(&s->world);
+    scene_free(&s->scene);
+    *s = (world_scene){ .size = 0 };
+}
+
+// Builds the scene, ready to step.  Fails as scene_build and world_of_scene do,
+// leaving *s empty.
+static inline status world_scene_build(world_scene *s, scene_kind kind,
+                                       scene_options what,
+                                       world_options how)
 {
     assert(kind >= 0 && kind < SCENES);
     *s = (world_scene){ .kind = kind };
@@ -72,10 +97,4 @@ status world_scene_build(world_scene *s, scene_kind kind, scene_options what,
     return done;
 }
 
-void world_scene_free(world_scene *s)
-{
-    world_free(&s->world);
-    scene_free(&s->scene);
-    *s = (world_scene){ .size = 0 };
-}
-//<
+#endif

@@ -619,7 +619,7 @@ static void look_at_all(const frame_look *l)
 //> certificate-again
 //>   A moment later most witnesses still hold, and to ask one is far cheaper
 //>   than to find it: only its other end is new. Most have so much room that
-//>   they need not even be asked. What one has lost is proved anew.
+//>   they need not even be asked. What one has lost is proved again.
 // Neighbours' ways differ by little, and those of others by no more than the
 // sum from neighbour to neighbour.
 static real way_of(const certificate *c, const witness *w)
@@ -647,7 +647,7 @@ static bool holds(const frame_look *now, witness *w)
     return w->slack > 0;
 }
 
-static void prove_anew(const frame_look *l, const witness *w)
+static void prove_again(const frame_look *l, const witness *w)
 {
     cell_part a = w->set[0].part, b = w->set[1].part;
     frame_look inside = *l;
@@ -674,7 +674,7 @@ static void look_at_windows(const frame_look *l, const frame_look *now)
     }
 }
 
-// Those found anew stand behind those that were kept, and move up.
+// Those found now stand behind those that were kept, and move up.
 static void look_again(const frame_look *l)
 {
     certificate *c = l->c;
@@ -688,7 +688,7 @@ static void look_again(const frame_look *l)
         witness *w = &c->kept[k];
         bool is_set = w->kind == WITNESS_WINDOW || w->kind == WITNESS_ASKED;
         if (!is_set && (w->kind == WITNESS_LOST || !holds(&now, w)))
-            prove_anew(l, w);
+            prove_again(l, w);
         else if (held++ < k) c->kept[held - 1] = *w;
     }
     for (int k = n; k < int_min(c->keeps, room); k++)

@@ -105,7 +105,7 @@ typedef struct {
     witness *kept;              // [WITNESSES particles]: they prove that where
     int keeps;                  // all is at first none crosses; so many, or
                                 // would be: 0: nothing is proved
-    int made;                   // so many there were when all were found anew
+    int made;                   // so many there were when all were found
     witness_reader *read;       // NULL, or is told of every witness of the
     void *to;                   // frame that was accepted
 

@@ -431,7 +431,7 @@ START_TEST(lost_numbers_end_and_harm_no_other_sheet)
 }
 END_TEST
 
-START_TEST(what_was_proved_is_asked_again_unless_somebody_moved_it)
+START_TEST(what_was_proved_is_asked_again_if_nothing_else_moved_it)
 {
     unsigned long long seed = 3;
     lay(&seed, SPACING);
@@ -467,7 +467,7 @@ int main(void)
         what_is_stopped_loses_its_speed_and_what_is_nailed_stays,
         what_crosses_already_is_left_out_and_goes_its_way,
         lost_numbers_end_and_harm_no_other_sheet,
-        what_was_proved_is_asked_again_unless_somebody_moved_it,
+        what_was_proved_is_asked_again_if_nothing_else_moved_it,
         NULL
     };
     return suite_run((suite){

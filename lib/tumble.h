@@ -112,7 +112,7 @@ typedef struct {
     bool   certified;       // cloth never crosses cloth, whatever is demanded:
                             // where it must, it is stopped and stretches for it,
                             // and the report says so; false.  A frame of cloth
-                            // costs up to a half more, and twice as
+                            // costs up to three tenths more, and twice as
                             // much or more where it acts
 
     // Runs work(data, 0) to work(data, items - 1) in any order, or at once on

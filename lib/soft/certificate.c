@@ -10,18 +10,14 @@
 
 enum { FEW = 4 };       // cells of a part that has no boxes within
 
-// The boxes of a part's first half follow its own, and then those of the other:
-// of n cells there are at most 2 n - 1.
-typedef struct {
-    cell_range cells;
-    int box;            // its number; -1: none
-} part;
-
-// A look at a frame.
+// A look at the ways from where all was to where it is; if it is no first look,
+// witnesses that held at first are only asked whether they hold now.
 typedef struct {
     certificate *c;
     const soft_frame *f;
-    bool tells;
+    const cell_range *in;       // NULL, or nothing else is looked at
+    int from;                   // the end that is asked first
+    bool tells;                 // its witnesses are read as they are found
 } frame_look;
 
 static int cells_in(cell_range r)
@@ -29,14 +25,16 @@ static int cells_in(cell_range r)
     return (r.right - r.left) * (r.bottom - r.top);
 }
 
-static part whole_of(const frame_look *l, int b)
+static cell_part whole_of(const frame_look *l, int b)
 {
     const body *x = &l->f->body[b];
-    return (part){ { b, 0, 0, x->shape->columns - 1, x->shape->rows - 1 },
+    return (cell_part){ { b, 0, 0, x->shape->columns - 1, x->shape->rows - 1 },
                    2 * x->first };
 }
 
-static void halve(part p, part half[2])
+// The boxes of a part's first half follow its own, and then those of the other:
+// of n cells there are at most 2 n - 1.
+static void halve(cell_part p, cell_part half[2])
 {
     cell_range r = p.cells;
     half[0] = half[1] = p;
@@ -85,9 +83,9 @@ static void box_cells(const frame_look *l, cell_range r, int e, swept_box *box)
     box->high[e] = high;
 }
 
-static void box_part(const frame_look *l, part p)
+static void box_part(const frame_look *l, cell_part p)
 {
-    part half[2];
+    cell_part half[2];
     swept_box *box = &l->c->box[p.box];
     halve(p, half);
     for (int k = 0; k < 2 && half[0].box >= 0; k++) box_part(l, half[k]);
@@ -103,23 +101,34 @@ static void box_part(const frame_look *l, part p)
     }
 }
 
-// Along which axis?
-static bool are_boxes_apart(const frame_look *l, part a, part b, vec3 *normal)
+// By how much, and along which axis?  m, 0: not.
+static real gap_of_boxes(const frame_look *l, cell_part a, cell_part b, vec3 *n)
 {
     const swept_box *x = &l->c->box[a.box], *y = &l->c->box[b.box];
-    real most = l->c->rounding;
     vec3 over = low_corner(vec3_sub(x->low[0], y->high[0]),
                            vec3_sub(x->low[1], y->high[1]));
     vec3 under = low_corner(vec3_sub(y->low[0], x->high[0]),
                             vec3_sub(y->low[1], x->high[1]));
-    *normal = (vec3){ 0, 0, 0 };
-    if (over.x > most || under.x > most) normal->x = over.x > most ? 1 : -1;
-    else if (over.y > most || under.y > most)
-        normal->y = over.y > most ? 1 : -1;
-    else if (over.z > most || under.z > most)
-        normal->z = over.z > most ? 1 : -1;
-    else return false;
-    return true;
+    vec3 gap = high_corner(over, under);
+    real most = real_max(real_max(gap.x, gap.y), gap.z);
+    *n = (vec3){ 0, 0, 0 };
+    if (most == gap.x)      n->x = over.x > under.x ? 1 : -1;
+    else if (most == gap.y) n->y = over.y > under.y ? 1 : -1;
+    else                    n->z = over.z > under.z ? 1 : -1;
+    return real_max(most, 0);
+}
+
+static bool is_certified(const soft_frame *f, int b)
+{
+    return body_is_soft(&f->body[b]) && f->body[b].shape->rows > 1;
+}
+
+// Only if they are asked for.
+static void box_all(const frame_look *l)
+{
+    for (int b = 0; b < l->f->bodies && !l->c->is_boxed; b++)
+        if (is_certified(l->f, b)) box_part(l, whole_of(l, b));
+    l->c->is_boxed = true;
 }
 //<
 
@@ -166,11 +175,11 @@ static flat_point flat_less(flat_point a, flat_point b)
 // rounding is far less.
 static const real SURELY = 0x1p-20;
 
-static bool is_spread(flat_point e, flat_point f)
+// The least w . J w of any w of length 1 is no less: see the chapter.
+static real spread_of(flat_point e, flat_point f)
 {
-    real mixed = f.x + e.y;
-    return e.x > SURELY && f.y > SURELY
-        && (4 - SURELY) * e.x * f.y > mixed * mixed;
+    real mixed = f.x + e.y, sum = e.x + f.y;
+    return sum > 0 ? (e.x * f.y - 0.25 * mixed * mixed) / sum : 0;
 }
 
 static flat_point flat_of(const vec3 normal[2], vec3 x)
@@ -178,45 +187,80 @@ static flat_point flat_of(const vec3 normal[2], vec3 x)
     return (flat_point){ vec3_dot(normal[0], x), vec3_dot(normal[1], x) };
 }
 
-// The cells of a row, from one column to before another.
-static bool is_row_spread(const vec3 *upper, const vec3 *under, int left,
+// The least of the cells of a row, from one column to before another.
+static real row_spread(const vec3 *upper, const vec3 *under, int left,
                           int right, int row, const vec3 normal[2])
 {
+    real least = HUGE_VAL;
     flat_point a = flat_of(normal, upper[left]);
     flat_point c = flat_of(normal, under[left]);
-    for (int i = left; i < right; i++) {
+    for (int i = left; i < right && least > SURELY; i++) {
         flat_point b = flat_of(normal, upper[i + 1]);
         flat_point d = flat_of(normal, under[i + 1]);
         flat_point above = flat_less(b, a), below = flat_less(d, c);
         flat_point before = flat_less(c, a), after = flat_less(d, b);
         bool is_odd = (i + row) % 2;        // see shape_cut_cells
-        if (!is_spread(above, is_odd ? before : after)
-            || !is_spread(below, is_odd ? after : before)) return false;
+        least = real_min(least, spread_of(above, is_odd ? before : after));
+        least = real_min(least, spread_of(below, is_odd ? after : before));
         a = b;
         c = d;
     }
-    return true;
+    return least;
 }
 
-static void tell(const frame_look *l, witness w)
+static cell_range range_around(cell_range a, cell_range b)
 {
-    if (l->tells) l->c->read(l->c->to, &w);
+    return (cell_range){ a.body, int_min(a.left, b.left), int_min(a.top, b.top),
+                         int_max(a.right, b.right),
+                         int_max(a.bottom, b.bottom) };
 }
 
-static bool is_range_spread(const frame_look *l, cell_range r)
+static void tell(const certificate *c, witness w)
 {
-    witness w = { .kind = WITNESS_SPREAD, .set[0].cells = r };
-    if (!projection_of(l, r, w.normal)) return false;
+    cell_range *r = &w.set[0].part.cells;
+    if (w.kind == WITNESS_ASKED) return;
+    if (w.kind == WITNESS_WINDOW) w.kind = WITNESS_SPREAD;
+    if (w.kind == WITNESS_SPREAD) *r = range_around(*r, w.set[1].part.cells);
+    c->read(c->to, &w);
+}
+
+static void keep(const frame_look *l, const witness *w)
+{
+    certificate *c = l->c;
+    if (l->tells) tell(c, *w);
+    if (c->keeps < WITNESSES * c->particles) c->kept[c->keeps] = *w;
+    c->keeps++;
+}
+
+// m, not above 0: it is not spread out.  If two vertices go from each other by
+// d, then w . J w changes by no more than sqrt(2 (p . p + q . q)) d.
+static real slack_of_spread(const frame_look *l, cell_range r,
+                            const vec3 normal[2])
+{
+    real least = HUGE_VAL;
     for (int j = r.top; j < r.bottom; j++) {
         int upper = vertex_at(l, r.body, 0, j);
         int under = vertex_at(l, r.body, 0, j + 1);
-        for (int e = 0; e < ENDS; e++) {
+        for (int e = l->from; e < ENDS && least > SURELY; e++) {
             const vec3 *at = l->c->at[e];
-            if (!is_row_spread(at + upper, at + under, r.left, r.right, j,
-                               w.normal)) return false;
+            least = real_min(least, row_spread(at + upper, at + under, r.left,
+                                               r.right, j, normal));
         }
     }
-    tell(l, w);
+    return (least - SURELY) / sqrt(2 * (vec3_length_squared(normal[0])
+                                        + vec3_length_squared(normal[1])));
+}
+
+// The range around two parts.
+static bool is_spread_out(const frame_look *l, witness_kind kind, cell_part a,
+                          cell_part b)
+{
+    witness w = { .kind = kind, .set = { { .part = a }, { .part = b } } };
+    cell_range r = range_around(a.cells, b.cells);
+    if (!projection_of(l, r, w.normal)) return false;
+    w.slack = slack_of_spread(l, r, w.normal);
+    if (!(w.slack > 0)) return false;
+    keep(l, &w);
     return true;
 }
 //<
@@ -224,25 +268,31 @@ static bool is_range_spread(const frame_look *l, cell_range r)
 //> certificate-windows
 //>   A window is a part with two columns and rows more, so that parts that touch
 //>   are together in one. What is no patch is tried in halves.
-static void mark_windows(const frame_look *l, part p)
+static void mark_window(const frame_look *l, cell_range r, int right,
+                        int bottom)
 {
-    enum { MORE = 2 };
-    part half[2], all = whole_of(l, p.cells.body);
-    cell_range r = p.cells, window = r;
-    window.right = int_min(r.right + MORE, all.cells.right);
-    window.bottom = int_min(r.bottom + MORE, all.cells.bottom);
-    bool is_patch = is_range_spread(l, window);
-    if (!is_patch && cells_in(r) > FEW) {
-        halve(p, half);
-        for (int k = 0; k < 2; k++) mark_windows(l, half[k]);
-        return;
-    }
     for (int j = r.top; j < r.bottom; j++)
         for (int i = r.left; i < r.right; i++) {
             certified_vertex *v = &l->c->of[vertex_at(l, r.body, i, j)];
-            v->right = is_patch ? window.right : 0;
-            v->bottom = is_patch ? window.bottom : 0;
+            v->right = right;
+            v->bottom = bottom;
         }
+}
+
+static void find_windows(const frame_look *l, cell_part p)
+{
+    enum { MORE = 2 };
+    cell_part half[2], all = whole_of(l, p.cells.body), window = p;
+    window.cells.right = int_min(p.cells.right + MORE, all.cells.right);
+    window.cells.bottom = int_min(p.cells.bottom + MORE, all.cells.bottom);
+    if (is_spread_out(l, WITNESS_WINDOW, p, window)) {
+        mark_window(l, p.cells, window.cells.right, window.cells.bottom);
+        return;
+    }
+    mark_window(l, p.cells, 0, 0);
+    if (cells_in(p.cells) <= FEW) return;
+    halve(p, half);
+    for (int k = 0; k < 2; k++) find_windows(l, half[k]);
 }
 
 // Is there a window that has all of it?
@@ -259,18 +309,36 @@ static bool is_in_window(const frame_look *l, cell_range r)
 //>   are parted by a plane. A short search for the point of their differences
 //>   that is nearest to the origin (Gilbert 1966) mostly finds one. If it finds
 //>   none, parts are halved; for triangles GJK tells exactly.
-// The vertex that is furthest against n.
-static vec3 lowest_of(const vec3 *at, const certified_set *s, vec3 n)
+typedef struct {
+    vec3 x;
+    real height;
+} lowest;
+
+static void lower(lowest *to, vec3 x, vec3 n)
 {
-    vec3 best = { 0, 0, 0 };
-    real least = HUGE_VAL;
-    for (int i = 0; i < s->count; i++) {
-        real height = vec3_dot(n, at[s->vertex[i]]);
-        if (!(height < least)) continue;
-        least = height;
-        best = at[s->vertex[i]];
+    real height = vec3_dot(n, x);
+    if (height < to->height) *to = (lowest){ x, height };
+}
+
+// What is furthest against n.
+static vec3 lowest_of(const frame_look *l, int e, const certified_set *s,
+                      vec3 n)
+{
+    const vec3 *at = l->c->at[e];
+    lowest low = { { 0, 0, 0 }, HUGE_VAL };
+    cell_range r = s->part.cells;
+    if (s->part.box >= 0) {
+        const swept_box *b = &l->c->box[s->part.box];
+        return vec3_make(n.x > 0 ? b->low[e].x : b->high[e].x,
+                         n.y > 0 ? b->low[e].y : b->high[e].y,
+                         n.z > 0 ? b->low[e].z : b->high[e].z);
     }
-    return best;
+    for (int i = 0; i < s->count; i++) lower(&low, at[s->vertex[i]], n);
+    for (int j = r.top; j <= r.bottom && s->count == 0; j++) {
+        const vec3 *x = &at[vertex_at(l, r.body, 0, j)];
+        for (int i = r.left; i <= r.right; i++) lower(&low, x[i], n);
+    }
+    return low.x;
 }
 
 // How far is the first set over the second, along n, and where least?
@@ -278,10 +346,9 @@ static real gap_of(const frame_look *l, const certified_set set[2], int ends,
                    vec3 n, vec3 *where)
 {
     real gap = HUGE_VAL;
-    for (int e = 0; e < ends; e++) {
-        const vec3 *at = l->c->at[e];
-        vec3 d = vec3_sub(lowest_of(at, &set[0], n),
-                          lowest_of(at, &set[1], vec3_scale(-1, n)));
+    for (int e = l->from; e < ends; e++) {
+        vec3 d = vec3_sub(lowest_of(l, e, &set[0], n),
+                          lowest_of(l, e, &set[1], vec3_scale(-1, n)));
         real height = vec3_dot(n, d);
         if (!(height < gap)) continue;
         gap = height;
@@ -308,18 +375,30 @@ static vec3 nearest_difference(const frame_look *l, const certified_set set[2],
 
 static vec3 middle_of_set(const frame_look *l, const certified_set *s)
 {
-    int first = s->vertex[0], last = s->vertex[s->count - 1];
+    cell_range r = s->part.cells;
+    int first = s->vertex[0], last = s->vertex[int_max(s->count - 1, 0)];
+    if (s->count == 0) {
+        first = vertex_at(l, r.body, r.left, r.top);
+        last = vertex_at(l, r.body, r.right, r.bottom);
+    }
     const vec3 *was = l->c->at[0], *is = l->c->at[1];
     return vec3_add(vec3_add(was[first], was[last]),
                     vec3_add(is[first], is[last]));
 }
 
-static bool is_plane(const frame_look *l, const certified_set set[2], vec3 n,
-                     vec3 *where)
+// m, not above 0: it does not part them.
+static real slack_of_plane(const frame_look *l, const certified_set set[2],
+                           vec3 n, vec3 *where)
 {
-    real gap = gap_of(l, set, ENDS, n, where);
-    if (!(gap > l->c->rounding * vec3_length(n))) return false;
-    tell(l, (witness){ WITNESS_PLANE, { set[0], set[1] }, { n } });
+    return gap_of(l, set, ENDS, n, where) / vec3_length(n) - l->c->rounding;
+}
+
+static bool keep_plane(const frame_look *l, const certified_set set[2], vec3 n,
+                       real slack)
+{
+    witness w = { WITNESS_PLANE, { set[0], set[1] }, { n }, slack };
+    if (!(slack > 0)) return false;
+    keep(l, &w);
     return true;
 }
 
@@ -329,14 +408,16 @@ static bool has_plane(const frame_look *l, const certified_set set[2])
     vec3 least = { 0, 0, 0 };
     vec3 n = vec3_sub(middle_of_set(l, &set[0]), middle_of_set(l, &set[1]));
     for (int k = 0; k < STEPS; k++) {
-        if (is_plane(l, set, n, &least)) return true;
+        if (keep_plane(l, set, n, slack_of_plane(l, set, n, &least)))
+            return true;
         vec3 back = vec3_sub(n, least);
         real share = vec3_dot(n, back) / vec3_length_squared(back);
         if (!(share > 0)) break;
         n = vec3_add_scaled(n, -real_min(share, 1), back);
     }
-    if (set[0].count > FACET || set[1].count > FACET) return false;
-    return is_plane(l, set, nearest_difference(l, set, ENDS), &least);
+    if (set[0].count == 0 || set[1].count == 0) return false;
+    n = nearest_difference(l, set, ENDS);
+    return keep_plane(l, set, n, slack_of_plane(l, set, n, &least));
 }
 //<
 
@@ -369,7 +450,8 @@ static void part_facets(const frame_look *l, certified_set a, certified_set b)
     bool is_crossed = !(gap > c->rounding);
     if (is_crossed) leave_out(l, set);
     if (is_crossed || (is_beside_crossed(l, &a) && is_beside_crossed(l, &b))) {
-        tell(l, (witness){ WITNESS_NONE, { a, b }, { { 0, 0, 0 } } });
+        witness w = { .kind = WITNESS_NONE, .set = { a, b } };
+        keep(l, &w);
         return;
     }
     if (c->clashes < c->particles)
@@ -381,7 +463,7 @@ static certified_set triangle_of(const frame_look *l, cell_range r, int k)
 {
     const body *b = &l->f->body[r.body];
     int cell = r.top * (b->shape->columns - 1) + r.left;
-    certified_set s = { .cells = r, .count = FACET };
+    certified_set s = { .part = { r, -1 }, .count = FACET };
     for (int i = 0; i < FACET; i++)
         s.vertex[i] = b->first + b->shape->face[FACET * (2 * cell + k) + i];
     return s;
@@ -390,7 +472,7 @@ static certified_set triangle_of(const frame_look *l, cell_range r, int k)
 // What of a is no vertex of b.
 static certified_set without(certified_set a, const certified_set *b)
 {
-    certified_set rest = { .cells = a.cells };
+    certified_set rest = { .part = a.part };
     for (int i = 0; i < a.count; i++) {
         bool is_common = false;
         for (int k = 0; k < b->count; k++)
@@ -423,41 +505,38 @@ static void part_cells(const frame_look *l, cell_range a, cell_range b)
 
 //> certificate-look
 //>   All pairs of triangles are looked at, from the largest parts down.
-static certified_set set_of(const frame_look *l, cell_range r)
-{
-    certified_set s = { .cells = r };
-    for (int j = r.top; j <= r.bottom; j++)
-        for (int i = r.left; i <= r.right; i++)
-            s.vertex[s.count++] = vertex_at(l, r.body, i, j);
-    return s;
-}
-
-static bool are_parted(const frame_look *l, part p, part q)
+static bool are_parted(const frame_look *l, cell_part p, cell_part q)
 {
     cell_range a = p.cells, b = q.cells;
-    cell_range both = { a.body, int_min(a.left, b.left), int_min(a.top, b.top),
-                        int_max(a.right, b.right),
-                        int_max(a.bottom, b.bottom) };
+    certified_set set[2] = { { .part = p }, { .part = q } };
     vec3 n;
-    if (a.body == b.body && is_in_window(l, both)) return true;
-    if (p.box >= 0 && q.box >= 0 && are_boxes_apart(l, p, q, &n)) {
-        tell(l, (witness){ WITNESS_PLANE, { { .cells = a }, { .cells = b } },
-                           { n } });
-        return true;
+    if (a.body == b.body && is_in_window(l, range_around(a, b))) return true;
+    box_all(l);
+    if (p.box >= 0 && q.box >= 0) {
+        real gap = gap_of_boxes(l, p, q, &n);
+        if (keep_plane(l, set, n, gap - l->c->rounding)) return true;
     }
     if (int_max(cells_in(a), cells_in(b)) > FEW) return false;
     bool do_touch = a.body == b.body && a.left <= b.right && b.left <= a.right
                  && a.top <= b.bottom && b.top <= a.bottom;
-    if (do_touch) return is_range_spread(l, both);
-    certified_set set[2] = { set_of(l, a), set_of(l, b) };
+    if (do_touch) return is_spread_out(l, WITNESS_SPREAD, p, q);
+    set[0].part.box = set[1].part.box = -1;
     return has_plane(l, set);
 }
 
-static void look_between(const frame_look *l, part a, part b)
+static bool is_in_look(const frame_look *l, cell_range r)
 {
-    part half[2];
+    return !l->in
+        || (r.left < l->in->right && l->in->left < r.right
+            && r.top < l->in->bottom && l->in->top < r.bottom);
+}
+
+static void look_between(const frame_look *l, cell_part a, cell_part b)
+{
+    cell_part half[2];
     int cells = cells_in(a.cells), others = cells_in(b.cells);
-    if (are_parted(l, a, b)) return;
+    if (!is_in_look(l, a.cells) || !is_in_look(l, b.cells)
+        || are_parted(l, a, b)) return;
     if (cells == 1 && others == 1) {
         part_cells(l, a.cells, b.cells);
         return;
@@ -468,11 +547,12 @@ static void look_between(const frame_look *l, part a, part b)
                      cells >= others ? b : half[k]);
 }
 
-static void look_within(const frame_look *l, part p)
+static void look_within(const frame_look *l, cell_part p)
 {
-    part half[2];
-    if (is_in_window(l, p.cells)) return;
-    if (cells_in(p.cells) < FEW && is_range_spread(l, p.cells)) return;
+    cell_part half[2];
+    if (!is_in_look(l, p.cells) || is_in_window(l, p.cells)) return;
+    if (cells_in(p.cells) < FEW && is_spread_out(l, WITNESS_SPREAD, p, p))
+        return;
     if (cells_in(p.cells) == 1) {
         part_cells(l, p.cells, p.cells);
         return;
@@ -482,27 +562,162 @@ static void look_within(const frame_look *l, part p)
     look_between(l, half[0], half[1]);
 }
 
-static bool is_certified(const soft_frame *f, int b)
+// Two cloths, and where they are in the pool.
+static witness asked(const frame_look *l, int a, int b)
 {
-    return body_is_soft(&f->body[b]) && f->body[b].shape->rows > 1;
+    witness w = { .kind = WITNESS_ASKED };
+    for (int i = 0; i < 2; i++) {
+        w.set[i].part = whole_of(l, i == 0 ? a : b);
+        w.set[i].vertex[0] = l->f->body[i == 0 ? a : b].first;
+    }
+    return w;
+}
+
+static bool is_same_range(cell_range a, cell_range b)
+{
+    return a.body == b.body && a.left == b.left && a.right == b.right
+        && a.top == b.top && a.bottom == b.bottom;
+}
+
+static bool is_same_asked(const witness *x, const witness *y)
+{
+    bool is_same = true;
+    for (int i = 0; i < 2; i++)
+        is_same = is_same && x->set[i].vertex[0] == y->set[i].vertex[0]
+               && is_same_range(x->set[i].part.cells, y->set[i].part.cells);
+    return is_same;
+}
+
+static bool is_asked(const frame_look *l, int a, int b)
+{
+    const soft_frame *f = l->f;
+    return is_certified(f, a) && is_certified(f, b)
+        && (soft_moves(f, a) || soft_moves(f, b)) && soft_meets(f, a, b);
 }
 
 // Pairs that no plane parts are in `clash` afterwards.
 static void look_at_all(const frame_look *l)
 {
-    const soft_frame *f = l->f;
-    l->c->clashes = l->c->left_out = 0;
-    for (int b = 0; b < f->bodies; b++) {
-        if (!is_certified(f, b)) continue;
-        box_part(l, whole_of(l, b));
-        mark_windows(l, whole_of(l, b));
-        if (soft_moves(f, b) && soft_meets(f, b, b))
-            look_within(l, whole_of(l, b));
-        for (int a = 0; a < b; a++)
-            if (is_certified(f, a) && (soft_moves(f, a) || soft_moves(f, b))
-                && soft_meets(f, a, b))
-                look_between(l, whole_of(l, a), whole_of(l, b));
+    certificate *c = l->c;
+    int bodies = l->f->bodies;
+    c->clashes = c->left_out = c->keeps = 0;
+    c->is_boxed = false;
+    for (int b = 0; b < bodies; b++)
+        if (is_certified(l->f, b)) find_windows(l, whole_of(l, b));
+    for (int b = 0; b < bodies; b++)
+        for (int a = 0; a <= b; a++) {
+            if (!is_asked(l, a, b)) continue;
+            witness w = asked(l, a, b);
+            keep(l, &w);
+            if (a == b) look_within(l, whole_of(l, b));
+            else        look_between(l, whole_of(l, a), whole_of(l, b));
+        }
+    c->made = c->keeps;
+}
+//<
+
+//> certificate-again
+//>   A moment later most witnesses still hold, and to ask one is far cheaper
+//>   than to find it: only its other end is new. Most have so much room that
+//>   they need not even be asked. What one has lost is proved again.
+// Neighbours' ways differ by little, and those of others by no more than the
+// sum from neighbour to neighbour.
+static real way_of(const certificate *c, const witness *w)
+{
+    cell_range a = w->set[0].part.cells, b = w->set[1].part.cells;
+    cell_range r = range_around(a, b);
+    if (w->kind != WITNESS_PLANE) return c->bent;
+    if (a.body != b.body) return c->apart;
+    int steps = r.right - r.left + r.bottom - r.top;
+    return real_min(c->apart, steps * c->bent);
+}
+
+static bool holds(const frame_look *now, witness *w)
+{
+    vec3 where;
+    w->slack -= way_of(now->c, w);
+    if (w->slack > 0) return true;
+    if (w->kind == WITNESS_PLANE) {
+        box_all(now);
+        w->slack = slack_of_plane(now, w->set, w->normal[0], &where);
+    } else {
+        cell_range r = range_around(w->set[0].part.cells, w->set[1].part.cells);
+        w->slack = slack_of_spread(now, r, w->normal);
     }
+    return w->slack > 0;
+}
+
+static void prove_again(const frame_look *l, const witness *w)
+{
+    cell_part a = w->set[0].part, b = w->set[1].part;
+    frame_look inside = *l;
+    inside.in = &b.cells;
+    if (w->kind == WITNESS_LOST)
+        look_within(&inside, whole_of(l, b.cells.body));
+    else if (w->set[0].count > 0) part_facets(l, w->set[0], w->set[1]);
+    else if (w->kind == WITNESS_SPREAD && is_same_range(a.cells, b.cells))
+        look_within(l, a);
+    else look_between(l, a, b);
+}
+
+// Smaller windows are found for one that is none now.
+static void look_at_windows(const frame_look *l, const frame_look *now)
+{
+    certificate *c = l->c;
+    int n = c->keeps;
+    for (int k = 0; k < n; k++) {
+        witness *w = &c->kept[k];
+        if (w->kind != WITNESS_WINDOW || holds(now, w)) continue;
+        w->kind = WITNESS_LOST;
+        w->set[0].part.box = -1;
+        find_windows(l, w->set[0].part);
+    }
+}
+
+// Those found now stand behind those that were kept, and move up.
+static void look_again(const frame_look *l)
+{
+    certificate *c = l->c;
+    int n = c->keeps, held = 0, room = WITNESSES * c->particles;
+    frame_look now = *l;
+    now.from = ENDS - 1;
+    c->clashes = c->left_out = 0;
+    c->is_boxed = false;
+    look_at_windows(l, &now);
+    for (int k = 0; k < n; k++) {
+        witness *w = &c->kept[k];
+        bool is_set = w->kind == WITNESS_WINDOW || w->kind == WITNESS_ASKED;
+        if (!is_set && (w->kind == WITNESS_LOST || !holds(&now, w)))
+            prove_again(l, w);
+        else if (held++ < k) c->kept[held - 1] = *w;
+    }
+    for (int k = n; k < int_min(c->keeps, room); k++)
+        c->kept[held++] = c->kept[k];
+    if (c->keeps <= room) c->keeps = held;
+}
+
+static bool is_all_kept(const frame_look *l)
+{
+    const certificate *c = l->c;
+    return c->keeps > 0 && c->keeps <= WITNESSES * c->particles;
+}
+
+// Is what is kept about what is asked for, and not worn to pieces?
+static bool may_look_again(const frame_look *l)
+{
+    const certificate *c = l->c;
+    int k = 0;
+    if (!is_all_kept(l) || c->keeps > 2 * c->made) return false;
+    for (int b = 0; b < l->f->bodies; b++)
+        for (int a = 0; a <= b; a++) {
+            if (!is_asked(l, a, b)) continue;
+            witness w = asked(l, a, b);
+            while (k < c->keeps && c->kept[k].kind != WITNESS_ASKED) k++;
+            if (k >= c->keeps || !is_same_asked(&c->kept[k++], &w))
+                return false;
+        }
+    while (k < c->keeps && c->kept[k].kind != WITNESS_ASKED) k++;
+    return k == c->keeps;
 }
 //<
 
@@ -561,7 +776,7 @@ static void part_clash(const frame_look *l, const facet_clash *x)
 {
     side_of_plane side[2 * FACET];
     int count = 0, vertex[2 * FACET];
-    real thick = l->f->body[x->set[0].cells.body].thickness;
+    real thick = l->f->body[x->set[0].part.cells.body].thickness;
     real need = real_min(x->gap, KEEPS * thick);
     vec3 where = { 0, 0, 0 };
     if (!(gap_of(l, x->set, ENDS, x->normal, &where) < need)) return;
@@ -632,7 +847,9 @@ enum { PARTINGS = 4, ATTEMPTS = 4, ROUNDS = 60 };
 static void certify(const frame_look *l)
 {
     certificate *c = l->c;
-    look_at_all(l);
+    bool is_new = !may_look_again(l);
+    if (!is_new) look_again(l);
+    if (is_new || c->clashes + c->left_out > 0) look_at_all(l);
     if (c->left_out > 0) look_at_all(l);
     c->prevented = c->clashes;
     for (int k = 0; k < PARTINGS && c->clashes > 0; k++) {
@@ -676,6 +893,9 @@ static void copy_positions(certificate *c, const soft_frame *f, int end)
         for (int v = f->body[b].first; v < n; v++) {
             vec3 x = f->particle[v].position;
             if (end > 0 && !vec3_is_finite(x)) x = c->at[0][v];
+            vec3 was = c->at[0][v];
+            if (end == 0 && !(x.x == was.x && x.y == was.y && x.z == was.z))
+                c->keeps = 0;
             most = real_max(real_max(fabs(x.x), fabs(x.y)),
                             real_max(fabs(x.z), most));
             c->at[end][v] = x;
@@ -712,6 +932,56 @@ bool certificate_is_due(certificate *c, const soft_frame *f)
     return vec3_distance(low, high) > spacing;
 }
 
+// The reader hears all: if there was no room for them, as they are found again.
+static void tell_all(const frame_look *l)
+{
+    certificate *c = l->c;
+    frame_look aloud = *l;
+    aloud.tells = true;
+    if (is_all_kept(l))
+        for (int k = 0; k < c->keeps; k++) tell(c, c->kept[k]);
+    else look_at_all(&aloud);
+}
+
+static real way_between(const certificate *c, int a, int b)
+{
+    return vec3_length_squared(vec3_sub(vec3_sub(c->at[1][a], c->at[0][a]),
+                                        vec3_sub(c->at[1][b], c->at[0][b])));
+}
+
+static real way_to_neighbours(const certificate *c, const body *x)
+{
+    int columns = x->shape->columns, n = columns * x->shape->rows;
+    real most = 0;
+    for (int i = 0; i < n; i++) {
+        int v = x->first + i;
+        if ((i + 1) % columns > 0)
+            most = real_max(most, way_between(c, v, v + 1));
+        if (i + columns < n)
+            most = real_max(most, way_between(c, v, v + columns));
+    }
+    return most;
+}
+
+static void measure_ways(const frame_look *l)
+{
+    certificate *c = l->c;
+    vec3 low = { HUGE_VAL, HUGE_VAL, HUGE_VAL }, high = vec3_scale(-1, low);
+    real most = 0;
+    for (int b = 0; b < l->f->bodies; b++) {
+        const body *x = &l->f->body[b];
+        if (!is_certified(l->f, b)) continue;
+        most = real_max(most, way_to_neighbours(c, x));
+        for (int v = x->first; v < x->first + body_particles(x); v++) {
+            vec3 way = vec3_sub(c->at[1][v], c->at[0][v]);
+            low = low_corner(low, way);
+            high = high_corner(high, way);
+        }
+    }
+    c->apart = vec3_distance(low, high);
+    c->bent = sqrt(most);
+}
+
 // What is proved begins the next way.
 static void begin_next(certificate *c)
 {
@@ -730,10 +1000,12 @@ void certificate_end(certificate *c, const soft_frame *f)
     c->prevented = c->left_out = 0;
     if (is_still || !(c->since > 0)) return;
     copy_positions(c, f, 1);
+    measure_ways(&l);
     for (int v = 0; v < c->particles; v++) c->of[v].crossed = false;
     certify(&l);
-    l.tells = c->read != NULL;
-    if (l.tells) look_at_all(&l);
+    bool is_proved = c->clashes + c->left_out == 0;
+    if (c->read) tell_all(&l);
+    if (!is_proved) c->keeps = 0;
     for (int b = 0; b < f->bodies && c->prevented > 0; b++) {
         if (!is_certified(f, b)) continue;
         int n = f->body[b].first + body_particles(&f->body[b]);
@@ -752,6 +1024,7 @@ status certificate_grow(certificate *c, int kept, int particles)
     TABLE_GROW(ok, c->of, kept, particles);
     TABLE_GROW(ok, c->box, 2 * kept, 2 * particles);
     TABLE_GROW(ok, c->clash, kept, particles);
+    TABLE_GROW(ok, c->kept, WITNESSES * kept, WITNESSES * particles);
     if (!ok) return status_out_of_memory();
     c->particles = particles;
     return status_ok();
@@ -763,6 +1036,7 @@ void certificate_free(certificate *c)
     free(c->of);
     free(c->box);
     free(c->clash);
+    free(c->kept);
     *c = (certificate){ .particles = 0 };
 }
 //<

@@ -20,32 +20,46 @@
 //> certificate-witness
 //>   What has been proved, anybody can prove again with dot products.
 enum { ENDS = 2 };      // a frame, or a part of it, begins, and ends
+enum { WITNESSES = 6 }; // for so many a particle there is room
 
 // Cells of a cloth: from here to before there, in columns and rows.
 typedef struct {
     int body, left, top, right, bottom;
 } cell_range;
 
-// What a witness speaks of: all cells of a range, or some vertices of the pool:
-// of a triangle, or of four cells.
+// A part of a cloth, and the number of the box around it; -1: none.
 typedef struct {
     cell_range cells;
-    int count;          // of vertices; 0: the range
-    int vertex[10];
+    int box;
+} cell_part;
+
+// What a witness speaks of: the box around a part; if there is none, all its
+// vertices, or, if they are counted, some: of the pool, of a triangle.
+typedef struct {
+    cell_part part;
+    int count, vertex[3];
 } certified_set;
 
 // WITNESS_PLANE: normal[0] . (a - b) > 0 for every vertex a of the first set
-// and b of the second, at both ends.  WITNESS_SPREAD, of the first set alone: of
-// every triangle, with its side e along a row and f along a column, x = normal[0] and
-// y = normal[1], at both ends
+// and b of the second, at both ends.  WITNESS_SPREAD, of the range around both:
+// of every triangle, with its side e along a row and f along a column,
+// x = normal[0] and y = normal[1], at both ends
 //     x . e > 0,  y . f > 0,  4 (x . e) (y . f) > (x . f + y . e)^2.
-// WITNESS_NONE: the two crossed, or touched, when the frame began.
-typedef enum { WITNESS_PLANE, WITNESS_SPREAD, WITNESS_NONE } witness_kind;
+// WITNESS_WINDOW: of the second, likewise; the first is a part in it.
+// WITNESS_NONE: the two crossed, or touched, when the way began.
+// WITNESS_ASKED, WITNESS_LOST: none; these two were asked for, or what was
+// witness is none now.
+typedef enum {
+    WITNESS_PLANE, WITNESS_SPREAD, WITNESS_WINDOW, WITNESS_NONE, WITNESS_ASKED,
+    WITNESS_LOST
+} witness_kind;
 
 typedef struct {
     witness_kind kind;
     certified_set set[2];
     vec3 normal[2];
+    real slack;         // m: while no two vertices go further from each other
+                        // than this, it need not be asked
 } witness;
 
 typedef void witness_reader(void *to, const witness *w);
@@ -74,7 +88,8 @@ typedef struct {
     vec3 way;           // kg m, and the sum of their ways
 } certified_vertex;
 
-// All but what was prevented is room for one frame.
+// All but what was prevented, what is kept, and where all was when that was
+// proved, is room for one way.
 typedef struct {
     vec3 *at[ENDS];             // [particles] of the pool
     certified_vertex *of;       // [particles]
@@ -84,6 +99,13 @@ typedef struct {
     int clashes;                // in this look, that found room or not
     real rounding;              // m, no gap is wrong by as much
     real since;                 // s, since all was where it is at first
+    real apart, bent;           // m, no two of them went further from each
+                                // other, and no two neighbours
+    bool is_boxed;              // the boxes are of this look
+    witness *kept;              // [WITNESSES particles]: they prove that where
+    int keeps;                  // all is at first none crosses; so many, or
+                                // would be: 0: nothing is proved
+    int made;                   // so many there were when all were found
     witness_reader *read;       // NULL, or is told of every witness of the
     void *to;                   // frame that was accepted
 

@@ -204,8 +204,10 @@ static void stop_at_plane(world *w, int b, plane p)
     vec3 *center = &w->rigid.now[b].frame.center;
     real *u = w->rigid.velocity[b].of;
     real n[3] = { p.normal.x, p.normal.y, p.normal.z };
+    real height = plane_height(p, *center);
+    if (height >= 0) return;
     real was = plane_height(p, w->rigid.began[b].center);
-    real low = real_min(was, 0) - plane_height(p, *center);
+    real low = real_min(was, 0) - height;
     real speed = n[0] * u[0] + n[1] * u[1] + n[2] * u[2];
     if (!(low > 0)) return;
     *center = vec3_add_scaled(*center, low, p.normal);

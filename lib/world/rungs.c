@@ -288,6 +288,12 @@ static void sort_by_rung(world *w, int highest)
 {
     rigid_tables *t = &w->rigid;
     contact_solver *s = &t->solver;
+    if (highest == 0) {
+        t->rungs->end = t->awakes;
+        t->rungs->end_contact = s->contacts;
+        memcpy(t->by_rung, t->awake, (size_t)t->awakes * sizeof *t->awake);
+        return;
+    }
     for (int k = 0; k < t->awakes; k++) of_body(w, t->awake[k], highest)->end++;
     for (int k = 0; k < s->contacts; k++)
         of_body(w, s->active[k].a, highest)->end_contact++;

@@ -745,6 +745,39 @@ static int choose_exposed(const meetings *m, vec3 first, real turn, touch *out)
     return n;
 }
 
+// Which vertex is nearest, and so where a rim began, is rounding's choice, of a
+// body that lies flat.  So corners that are all kept stand in the order of their
+// vertices, A's before B's: in a world that is turned or moved the solver takes
+// them as in this.
+static int is_of_b(const touch *t)
+{
+    return t->a.count > 1 && t->b.count == 1;
+}
+
+static int stands_before(const touch *s, const touch *t)
+{
+    int of_b = is_of_b(s);
+    if (of_b != is_of_b(t)) return !of_b;
+    if (!of_b && s->a.vertex[0] != t->a.vertex[0])
+        return s->a.vertex[0] < t->a.vertex[0];
+    return s->b.vertex[0] < t->b.vertex[0];
+}
+
+static void sort_corners(meetings *m)
+{
+    for (int i = 1; i < m->count; i++) {
+        touch t = m->of[i];
+        vec3 at = m->at[i];
+        int k = i;
+        for (; k > 0 && stands_before(&t, &m->of[k - 1]); k--) {
+            m->of[k] = m->of[k - 1];
+            m->at[k] = m->at[k - 1];
+        }
+        m->of[k] = t;
+        m->at[k] = at;
+    }
+}
+
 // The touches from at least two corners; returns how many.
 static int choose(const meetings *m, const touch *nearest, real slack,
                   real turn, touch out[MANIFOLD_POINTS])
@@ -769,9 +802,10 @@ static int choose(const meetings *m, const touch *nearest, real slack,
 
 //> manifold-find
 // What is kept of the corners that were met, beside the pair.
-static int keep(const meetings *m, const touch *pair, const view *w, real turn,
+static int keep(meetings *m, const touch *pair, const view *w, real turn,
                 touch out[MANIFOLD_POINTS])
 {
+    if (m->count <= MANIFOLD_POINTS) sort_corners(m);
     out[0] = *pair;
     return m->count > 1 ? choose(m, pair, w->slack, turn, out) : 1;
 }

@@ -745,6 +745,55 @@ static int choose_exposed(const meetings *m, vec3 first, real turn, touch *out)
     return n;
 }
 
+// Which vertex is nearest, and so where a rim begins, is rounding's choice, of a
+// body that lies flat.  So of corners that are all kept each kind begins with its
+// lowest vertex, and goes on round the rim: in a world that is turned or moved the
+// solver takes them as in this.
+static int corner_kind(const touch *t)
+{
+    return 2 * (t->a.count > 1) + (t->b.count > 1);
+}
+
+static int stands_before(const touch *s, const touch *t)
+{
+    if (s->a.count == 1 && s->a.vertex[0] != t->a.vertex[0])
+        return s->a.vertex[0] < t->a.vertex[0];
+    return s->b.vertex[0] < t->b.vertex[0];
+}
+
+static void reverse_corners(meetings *m, int first, int end)
+{
+    for (--end; first < end; first++, end--) {
+        touch t = m->of[first];
+        vec3 at = m->at[first];
+        m->of[first] = m->of[end];
+        m->at[first] = m->at[end];
+        m->of[end] = t;
+        m->at[end] = at;
+    }
+}
+
+// Those from first to before end go round a rim.
+static void turn_corners(meetings *m, int first, int end)
+{
+    int low = first;
+    for (int k = first; k < end; k++)
+        if (stands_before(&m->of[k], &m->of[low])) low = k;
+    reverse_corners(m, first, low);
+    reverse_corners(m, low, end);
+    reverse_corners(m, first, end);
+}
+
+static void begin_with_lowest(meetings *m)
+{
+    int k = 0;
+    while (k < m->count) {
+        int first = k, kind = corner_kind(&m->of[k]);
+        while (k < m->count && corner_kind(&m->of[k]) == kind) k++;
+        turn_corners(m, first, k);
+    }
+}
+
 // The touches from at least two corners; returns how many.
 static int choose(const meetings *m, const touch *nearest, real slack,
                   real turn, touch out[MANIFOLD_POINTS])
@@ -769,9 +818,10 @@ static int choose(const meetings *m, const touch *nearest, real slack,
 
 //> manifold-find
 // What is kept of the corners that were met, beside the pair.
-static int keep(const meetings *m, const touch *pair, const view *w, real turn,
+static int keep(meetings *m, const touch *pair, const view *w, real turn,
                 touch out[MANIFOLD_POINTS])
 {
+    if (m->count <= MANIFOLD_POINTS) begin_with_lowest(m);
     out[0] = *pair;
     return m->count > 1 ? choose(m, pair, w->slack, turn, out) : 1;
 }

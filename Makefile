@@ -297,9 +297,10 @@ $(MADE): %: need-charts test-%
 
 book:
 	$(Q)sh chapters/weave.sh $(BUILD)
-	$(Q)awk -f chapters/numbers.awk -f chapters/readme.awk README.md > $(BUILD)/README.md && cp $(BUILD)/README.md README.md
-	$(Q)cp $(BUILD)/book.md book.md
-	$(Q)rm -rf chapters/woven && cp -R $(BUILD)/woven chapters/woven
+	$(Q)awk -f chapters/numbers.awk -f chapters/readme.awk README.md > $(BUILD)/README.md
+	$(Q)mkdir -p chapters/woven && for f in chapters/woven/*; do [ -e $(BUILD)/woven/$${f##*/} ] || rm -f "$$f"; done
+	$(Q)cd $(BUILD) && for f in README.md book.md woven/*; do \
+	  case $$f in woven/*) to='$(CURDIR)'/chapters/$$f ;; *) to='$(CURDIR)'/$$f ;; esac; cmp -s $$f "$$to" || cp $$f "$$to"; done
 	@echo "book.md: $$(wc -l < book.md) lines; a page a chapter: chapters/woven"
 
 

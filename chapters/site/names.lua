@@ -1,9 +1,8 @@
 -- names.lua - where what the book names is told of: the pages by their titles, the
 -- chapters, their figures, and the pieces of code in which functions and types
--- stand.  It reads the woven pages; page.lua makes links of it.
+-- stand.  names.awk has found them in the woven pages; page.lua makes links of it.
 
 local names = { chapter = {}, page = {}, figure = {}, code = {} }
-local folder = 'chapters/woven'
 
 -- In `code` each name has the pages that define it: [page] = file.
 local function tell(name, page, file)
@@ -13,23 +12,14 @@ local function tell(name, page, file)
   if not places[page] or places[page]:match('%.h$') then places[page] = file end
 end
 
-local function read(page)
+for line in io.lines((os.getenv('BUILD') or 'build') .. '/names') do
+  local page, kind, what = line:match('^([^\t]*)\t([^\t]*)\t(.*)')
   local number = page:match('^%d%d%l?')
-  for line in io.lines(folder .. '/' .. page .. '.md') do
-    local title = line:match('^# (.*)')
-    if title then names.page[title] = page end
-    if title and number then names.chapter[number] = { page = page, title = title } end
-    local figure = line:match('^!%[.*%]%(%.%./%.%./figures/.*/([^/]*)%.%a+%)$')
-    if figure then names.figure[figure] = page end
-    local file, all = line:match('^%[(%S*), lines? [%d to]*: (.*)%]%(')
-    if file then
-      for name in all:gmatch('[%w_]+') do tell(name, page, file) end
-    end
-  end
-end
-
-for file in io.popen('ls ' .. folder):lines() do
-  read(file:match('(.*)%.md$'))
+  if kind == 'title' then names.page[what] = page end
+  if kind == 'title' and number then names.chapter[number] = { page = page, title = what } end
+  if kind == 'figure' then names.figure[what] = page end
+  local file, all = what:match('^(%S*)\t(.*)')
+  for name in (all or ''):gmatch('[%w_]+') do tell(name, page, file) end
 end
 
 -- The page and the file that a name means when `page` says it: its own, or the

@@ -3,6 +3,7 @@
 --
 --   --metadata page=04-gjk     the page that is read
 --   --metadata whole=true      all pages as one: a link leads to an anchor
+--   --metadata volume=1        those of a volume: what is in the other has a number there
 
 local here = 'chapters/site/'
 local names = dofile(here .. 'names.lua')
@@ -13,6 +14,7 @@ local anchor = dofile(here .. 'headings.lua')
 
 local FOLD = 32             -- lines of code that lie open; more are unfolded by the reader
 local page, whole           -- the page's name; are all pages one?
+local volume                -- on paper: 1 are the chapters, 2 the listings
 local exercises = {}        -- NN/name
 local written               -- the exercise that is written in this page
 local seen = 0              -- small figures so far
@@ -32,6 +34,7 @@ end
 
 -- An element of a page, or with no id the page.
 local function place(other, id)
+  if volume and volume ~= (other:match('^%d') and '1' or '2') then return nil end
   if whole then return '#' .. (id and id ~= '' and id or other) end
   local file = other == page and id and id ~= '' and '' or other .. '.html'
   return file .. (id and id ~= '' and '#' .. id or '')
@@ -104,6 +107,7 @@ local function Link(link)
   if path then target = place_of_file(path, line ~= '' and line)
   elseif other then target = place(other, id) end
   if not path then link.content = { raw(html_of(link.content)) } end
+  if not target and other and volume == '1' then link.content:insert(raw('<span class="there" data-page="' .. other .. '"></span>')) end
   if not target then return pandoc.Span(link.content) end
   return pandoc.Link(link.content, target, link.title, link.attr)
 end
@@ -380,6 +384,7 @@ end
 
 function Pandoc(doc)
   whole = doc.meta.whole
+  volume = doc.meta.volume and pandoc.utils.stringify(doc.meta.volume)
   written = doc.meta.write and pandoc.utils.stringify(doc.meta.write)
   page = doc.meta.page and pandoc.utils.stringify(doc.meta.page)
   local out, blocks = pandoc.List(), pandoc.List()

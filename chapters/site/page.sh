@@ -125,10 +125,20 @@ stages() {
     }' chapters/little/stages.txt
 }
 
-book() { for one in $(pages); do awk -f $here/page.awk "chapters/woven/$one.md"; echo; done; }
+# Which pages: on paper the chapters are one volume, and the listings another.
+listed() {
+    case $volume in
+    1) pages | grep '^[0-9]' ;;
+    2) pages | grep '^tumble-'; pages | grep '^lib-' ;;
+    *) pages ;;
+    esac
+}
+book() { for one in $(listed); do awk -f $here/page.awk "chapters/woven/$one.md"; echo; done; }
 whole() {
-    book | convert "$@" --toc --toc-depth=2 --metadata whole=true --resource-path="${BUILD:-build}/site:." \
-        --metadata title=tumble --metadata subtitle="a world of particles and sticks" --metadata lang=en
+    subtitle="a world of particles and sticks"
+    [ "$volume" != 2 ] || subtitle="Second volume: the header, function by function, and what no chapter shows, line by line"
+    book | convert "$@" --toc --toc-depth="${deep:-2}" --metadata whole=true ${volume:+--metadata volume="$volume"} --resource-path="${BUILD:-build}/site:." \
+        --metadata title=tumble --metadata subtitle="$subtitle" --metadata lang=en
 }
 embedded() {
     to=$1; shift
@@ -139,31 +149,49 @@ embedded() {
 
 # What says to those who listen how a page is built is most of its bytes.
 pack() {
-    if command -v qpdf > /dev/null; then qpdf --object-streams=generate "$1" "$file"; else cp "$1" "$file"; fi
+    if command -v qpdf > /dev/null; then qpdf --object-streams=generate "$1" "$2"; else cp "$1" "$2"; fi
 }
 
-# On paper each chapter has its title over its pages.
+# On paper a chapter has its title over its pages, and begins on a new one; a listing
+# does not.  What is said of paper holds for the layout that paper.js looks at, too.
 heads() {
     echo '<style>'
-    for one in $(pages); do
-        printf '[id="%s"] { page: c%s } @page c%s { @top-left { content: "%s" } }\n' \
-            "$one" "$one" "$one" "$(title "$one")"
-    done
-    echo '</style>'
+    if [ "$volume" = 2 ]; then echo 'section.level1 { break-before: auto; }'; else
+        for one in $(listed); do
+            printf '[id="%s"] { page: c%s } @page c%s { @top-left { content: "%s" } }\n' \
+                "$one" "$one" "$one" "$(title "$one")"
+        done
+    fi
+    echo '</style><script>'; cat $here/paper.js; echo '</script>'
 }
 
-# print BROWSER PAGE FILE: a page on paper.
+# print PAGE FILE: a page on paper.
 print() {
-    "$1" --headless --no-sandbox --disable-gpu --no-pdf-header-footer --generate-pdf-document-outline \
-        --virtual-time-budget=10000 --print-to-pdf="$3" "file://$2" 2> /dev/null
+    "$found" --headless --no-sandbox --disable-gpu --no-pdf-header-footer --generate-pdf-document-outline \
+        --virtual-time-budget=10000 --print-to-pdf="$2" "file://$1" 2> /dev/null && [ -s "$2" ]
 }
-# The contents know their pages only when all has been printed once.
-number_contents() {
-    command -v qpdf > /dev/null || return 0
-    qpdf --json --json-key=outlines "$2" | sed -n 's/^      "destpageposfrom1": \([0-9]*\),/\1/p' | sed 1d > "$part/numbers"
-    awk 'NR == FNR { page[NR] = $1; next }
-         /^<li><a href="#[0-9][0-9][a-z]?-[^"]*"><span class="number">/ { sub(/<\/a>/, "<span class=\"at\">" page[++k] "</span></a>") } { print }' \
-        "$part/numbers" "$1" > "$1.new" && mv "$1.new" "$1" && print "$found" "$1" "$2"
+# The contents, and what leads into the other volume, know their pages when all has been
+# printed once.
+number() {
+    LC_ALL=C grep -aE '^[0-9]+ 0 obj|/Kids \[|/Pages [0-9]|/XYZ' "$part/$volume.pdf" | awk -f $here/pages.awk > "$part/$volume.pages"
+    awk 'FILENAME ~ /2\.pages$/ { there[$1] = $2 } FILENAME ~ own { page[$1] = $2 } FILENAME !~ /html$/ { next }
+         match($0, /^<li><a href="#[^"]*"/) && (name = substr($0, 15, RLENGTH - 15)) in page {
+             sub(/<\/a>/, "<span class=\"at\">" page[name] "</span></a>")
+         }
+         { while (match($0, /<span class="there" data-page="[^"]*"><\/span>/)) {
+               name = substr($0, RSTART + 31, RLENGTH - 40)
+               $0 = substr($0, 1, RSTART - 1) (name in there ? " (II, " there[name] ")" : "") substr($0, RSTART + RLENGTH)
+           } print }' own="$volume[.]pages\$" "$part"/*.pages "$part/$volume.html" > "$part/numbered.html" && print "$part/numbered.html" "$part/$volume.pdf"
+}
+# The second volume comes first: the other names its pages.
+on_paper() {
+    deep=1
+    for volume in 2 1; do
+        heads > "$part/heads" && embedded "$part/$volume.html" --include-in-header "$part/heads" &&
+            sed 's/@media print/@media all/' "$part/$volume.html" > "$part/all.html" && mv "$part/all.html" "$part/$volume.html" &&
+            print "$part/$volume.html" "$part/$volume.pdf" && number || return 1
+    done
+    pack "$part/1.pdf" "$file" && pack "$part/2.pdf" "${file%.pdf}-2.pdf"
 }
 
 case $form in
@@ -179,9 +207,7 @@ little) stages | site --metadata write=little --metadata little=true --metadata 
 exercises) tasks | awk -f $here/page.awk | site --metadata pagetitle=Exercises --metadata description="All exercises of the course: a file with a hole in it, and tests that judge what you write there." ;;
 html) embedded "$file" ;;
 pdf)  wants chromium chromium-browser google-chrome
-      heads > "$part/heads" && embedded "$part/book.html" --include-in-header "$part/heads" &&
-      print "$found" "$part/book.html" "$part/book.pdf" && number_contents "$part/book.html" "$part/book.pdf" &&
-      pack "$part/book.pdf" ;;
+      on_paper ;;
 epub) whole epub3 --css $here/epub.css --epub-embed-font $here/math.woff2 -o "$file" ;;
 esac && [ -s "$file" ] || exit 1
-case $form in html|pdf|epub) echo "$file: $(wc -c < "$file") bytes" ;; esac
+case $form in html|pdf|epub) wc -c "$file" $([ $form != pdf ] || echo "${file%.pdf}-2.pdf") | sed -n 's/^ *\([0-9]*\) \(.*book.*\)/\2: \1 bytes/p' ;; esac

@@ -26,7 +26,8 @@ site: need-site book workshop-tools
 	+$(Q)$(AGAIN) $(if $(findstring j,$(firstword -$(MAKEFLAGS))),,-j2) site-files
 	@echo "$(SITE)/index.html: $(words $(SITE_PAGES)) pages"
 .PHONY: site-files
-site-files: $(SITE_PAGES) $(SITE_FILES) $(SITE_CODE) $(SITE_STYLE) $(SITE_LIVE) $(SITE_WORK) $(SITE)/search.js
+# What takes long comes first: so nothing waits for it at the end.
+site-files: $(if $(WITH_WORK),$(WORKSHOP)/compiler.js $(LONG:%=$(WORKSHOP)/stage-%.js)) $(SITE)/search.js $(SITE_LIVE) $(SITE_WORK) $(SITE_PAGES) $(SITE_FILES) $(SITE_CODE) $(SITE_STYLE)
 
 # Charts, laid out for a narrow page.
 CHARTS_SITE := $(filter %.svg,$(PICTURES))
@@ -35,7 +36,7 @@ $(BUILD)/phone.done: $(CHARTS_SITE) chapters/site/phone.mjs
 	$(Q)node chapters/site/phone.mjs $(foreach f,$(CHARTS_SITE),$f $(SITE)/$(f:.svg=-phone.svg)) && touch $@
 $(SITE_PAGES): | $(BUILD)/phone.done
 
-PAGE_TOOLS := $(wildcard chapters/site/*.lua) $(addprefix chapters/site/,page.awk page.sh page.html openings.txt) $(WORKSHOP)/with
+PAGE_TOOLS := $(wildcard chapters/site/*.lua) $(addprefix chapters/site/,page.awk page.sh page.html openings.txt) $(WORKSHOP)/with $(BUILD)/names
 define page
 	@mkdir -p $(@D)
 	@echo "  page  $@"
@@ -78,10 +79,14 @@ $(SITE)/live/%: $(BUILD)/live/%
 $(SITE)/%: chapters/site/%
 	@mkdir -p $(@D)
 	$(Q)cp $< $@
-# Where the book has which lines: file, line, page.
-$(BUILD)/places: $(WOVEN:%=chapters/woven/%)
-	$(Q)for p in $^; do \
-	    sed -n "s|^\[\([^],]*\), lines* \([0-9]*\).*|\1 \2 $$(basename $$p .md)|p" $$p; done > $@.new
+# Where the book has which lines: file, line, page; and what names.lua looks for, to
+# which any page may lead.
+$(BUILD)/places: FORCE
+	$(Q)mkdir -p $(@D) && awk '/^\[[^],]*, lines* [0-9]/ { split(substr($$0, 2), a, ", lines* "); n = FILENAME; gsub(/.*\/|\.md$$/, "", n); print a[1], a[2] + 0, n }' \
+	  $(WOVEN:%=chapters/woven/%) > $@.new
+	$(Q)cmp -s $@.new $@ || cp $@.new $@
+$(BUILD)/names: FORCE
+	$(Q)mkdir -p $(@D) && awk -f chapters/site/names.awk $(WOVEN:%=chapters/woven/%) > $@.new
 	$(Q)cmp -s $@.new $@ || cp $@.new $@
 define source
 $(SITE)/source/$(subst /,-,$1).html: $1 chapters/site/source.awk $(BUILD)/places
@@ -96,7 +101,7 @@ $(SITE)/search.js: $(WOVEN:%=chapters/woven/%) chapters/site/search.lua $(PAGE_T
 	$(Q)sh chapters/site/page.sh search $@
 
 # The whole book in one file.
-html pdf epub: need-book $(SITE_FILES) $(STILLS:%=$(SITE)/%)
+html pdf epub: need-book $(BUILD)/names $(SITE_FILES) $(STILLS:%=$(SITE)/%)
 	$(Q)BUILD='$(BUILD)' sh chapters/site/page.sh $@ $(BUILD)/book.$@
 
 # The pages in a real browser: what moves first, then how long pages load.  All run,

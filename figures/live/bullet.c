@@ -158,20 +158,41 @@ static void measure(void)
 }
 
 // --- Drawing ----------------------------------------------------------------------
+// Where the ball was seen: as it stood, or where those places lie too close, a dot.
+static void draw_seen(vec3 lane, vec3 from, vec3 way, real end)
+{
+    for (vec3 seen = from; seen.x < end; seen = vec3_add(seen, way)) {
+        if (way.x > 2 * RADIUS) live_circle(LIVE_RULE, vec3_add(seen, lane), RADIUS);
+        live_dot(LIVE_QUIET, vec3_add(seen, lane), 2);
+    }
+}
+
+// What has become of the shot, in a word.
+static void draw_end(vec3 lane, bool has_ended, bool is_past, bool is_wrong)
+{
+    if (!has_ended && !is_past) return;
+    live_label(is_wrong ? LIVE_RED : LIVE_GREEN, vec3_add(lane, vec3_make(0.1, 0.14, 0)),
+               has_ended && is_wrong ? "stopped by nothing" : has_ended ? "stopped" : is_wrong ? "through the plate" : "flies by");
+}
+
 static void draw_lane(int by)
 {
     vec3 lane = { 0, (WAYS - 1 - by) * SPACE, 0 }, way = { live_dial(SPEED) * FRAME, 0, 0 };
     vec3 at = start_of(shot - 1, live_choice(AIM), way), corners[4];
-    real x = LEFT - 2 * LEFT * real_min(1, (real)frame / FLIGHT);
+    real x = LEFT - 2 * LEFT * real_min(1, (real)frame / FLIGHT), end;
     bool has_ended = ends[by] == STOPPED && x >= stop[by].x, beside = live_choice(AIM);
-    bool is_wrong = beside ? has_ended : x > 0.1 && ends[by] != STOPPED;
+    bool is_past = !has_ended && x > 0.1, is_wrong = beside ? has_ended : is_past && ends[by] != STOPPED;
+    live_colour c = is_wrong ? LIVE_RED : has_ended || is_past ? LIVE_GREEN : LIVE_BLUE;
+    if (by < WAYS - 1) live_line(LIVE_RULE, (vec3[]){ { LEFT, lane.y - SPACE / 2, 0 }, { -LEFT, lane.y - SPACE / 2, 0 } }, 2);
+    end = has_ended ? stop[by].x : x;
+    draw_seen(lane, at, way, end);
+    live_line(c, (vec3[]){ { LEFT, lane.y + at.y, 0 }, { end, lane.y + at.y, 0 } }, 2);
     for (int i = 0; i < 4; i++) corners[i] = vec3_add(plate_at[i ^ i >> 1], lane);
-    live_area(LIVE_GREY, corners, 4);
-    for (vec3 seen = at; seen.x < (has_ended ? stop[by].x : x); seen = vec3_add(seen, way))
-        live_dot(LIVE_QUIET, vec3_add(seen, lane), 2);
+    live_area(LIVE_INK, corners, 4);
     at = has_ended ? stop[by] : vec3_make(x, at.y, 0);
-    live_circle(is_wrong ? LIVE_RED : has_ended || x > 0.1 ? LIVE_GREEN : LIVE_BLUE, vec3_add(at, lane), RADIUS);
+    live_circle(c, vec3_add(at, lane), RADIUS);
     live_label(LIVE_INK, vec3_add(lane, vec3_make(LEFT, 0.14, 0)), NAME[by]);
+    draw_end(lane, has_ended, is_past, is_wrong);
 }
 
 static void draw(void)

@@ -13,7 +13,6 @@ enum { MOST = 1000, PAIRS = 100000 };
 static const vec3 HALF[] = { { 2.5, 1.4, 0 }, { 2.5, 0.15, 0 }, { 0.2, 1.4, 0 } };  // m
 
 typedef enum { ALONE, ON_AXIS, IN_LANE, TOUCHES } relation;     // to the watched ball
-static const live_colour COLOUR[] = { LIVE_GREY, LIVE_BLUE, LIVE_ORANGE, LIVE_RED };
 
 static broad sorted;
 static sphere ball[MOST];
@@ -127,9 +126,12 @@ static void move(int number, vec3 to)
 }
 
 // --- Drawing ----------------------------------------------------------------------
-static void draw_ball(int i)
+static const live_colour COLOUR[] = { LIVE_RULE, LIVE_BLUE, LIVE_ORANGE, LIVE_RED };
+static const real FLOOR = -1.65, WIDE = 2.6, HIGH = 1.5;    // m, of what is drawn
+
+static void draw_box(live_colour c, real left, real low, real right, real high)
 {
-    live_circle(i == 0 ? LIVE_INK : COLOUR[to_watched[i]], ball[i].center, ball[i].radius);
+    live_band(c, (vec3[]){ { left, low, 0 }, { right, low, 0 }, { right, high, 0 }, { left, high, 0 } }, 4);
 }
 
 // The lanes, side by side along y, in which the watched ball stands.
@@ -141,26 +143,34 @@ static void draw_lanes(void)
         low = real_min(low, ball[i].center.y - ball[i].radius);
         high = real_max(high, ball[i].center.y + ball[i].radius);
     }
-    for (int side = 0; side < 2; side++) {
-        int lane = side ? sorted.reach[0][0].last + 1 : sorted.reach[0][0].first;
-        real y = low + lane * (high - low) / sorted.lanes[0];
-        live_dashes(LIVE_ORANGE, (vec3[]){ { -2.6, y, 0 }, { 2.6, y, 0 } }, 2);
-    }
+    real lane = (high - low) / sorted.lanes[0];
+    draw_box(LIVE_ORANGE, -WIDE, low + sorted.reach[0][0].first * lane, WIDE, low + (sorted.reach[0][0].last + 1) * lane);
+}
+
+// What a ball is to an axis: its shadow on it.
+static void draw_shadow(int i, live_colour c, real y)
+{
+    real x = ball[i].center.x, r = ball[i].radius;
+    live_line(c, (vec3[]){ { x - r, y, 0 }, { x + r, y, 0 } }, 2);
 }
 
 static void draw(void)
 {
     vec3 x = ball[0].center;
+    real r = ball[0].radius;
     draw_lanes();
-    for (int side = -1; side < 2; side += 2) {
-        real at = x.x + side * ball[0].radius;
-        live_dashes(LIVE_BLUE, (vec3[]){ { at, -1.75, 0 }, { at, 1.5, 0 } }, 2);
-    }
-    live_line(LIVE_QUIET, (vec3[]){ { -2.6, -1.65, 0 }, { 2.6, -1.65, 0 } }, 2);
-    live_line(LIVE_INK, (vec3[]){ { x.x - ball[0].radius, -1.65, 0 }, { x.x + ball[0].radius, -1.65, 0 } }, 2);
-    live_label(LIVE_QUIET, vec3_make(1.95, -1.62, 0), "x axis");
-    for (int i = 1; i < balls; i++) draw_ball(i);
-    draw_ball(0);
+    draw_box(LIVE_BLUE, x.x - r, FLOOR, x.x + r, HIGH);
+    live_line(LIVE_RULE, (vec3[]){ { -WIDE, FLOOR, 0 }, { WIDE, FLOOR, 0 } }, 2);
+    live_label(LIVE_QUIET, vec3_make(-WIDE, FLOOR - 0.12, 0), "x");
+    // First those that nobody asks about.
+    for (relation how = ALONE; how <= TOUCHES; how++)
+        for (int i = 1; i < balls; i++) {
+            if (to_watched[i] != how) continue;
+            live_circle(COLOUR[how], ball[i].center, ball[i].radius);
+            if (how != ALONE) draw_shadow(i, COLOUR[how], FLOOR + 0.03);
+        }
+    live_circle(LIVE_INK, x, r);
+    draw_shadow(0, LIVE_INK, FLOOR);
     live_handle(0, LIVE_INK, x, "the ball that is watched");
 }
 

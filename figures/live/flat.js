@@ -72,7 +72,7 @@ export class Flat {
       node = fresh;
     }
     const name = ['', 'line', 'dashes', 'area', 'dot', 'arrow', 'label', '', 'area'][kind];
-    node.setAttribute('class', `live-${name} live-${tint}`);
+    node.setAttribute('class', `live-${kind === AREA && number ? 'band' : name} live-${tint}`);
     if (kind <= AREA) {
       let out = '';
       for (let k = 0; k < points.length / 2; k++) out += at(k).map(v => v.toFixed(1)).join() + ' ';

@@ -158,6 +158,12 @@ void live_area(live_colour c, const vec3 *at, int n)
     item(LIVE_ITEM_AREA, c, 0, at, n);
 }
 
+// Without an outline, which is said by its number.
+void live_band(live_colour c, const vec3 *at, int n)
+{
+    item(LIVE_ITEM_AREA, c, 1, at, n);
+}
+
 void live_dot(live_colour c, vec3 at, double radius)
 {
     item(LIVE_ITEM_DOT, c, radius, &at, 1);

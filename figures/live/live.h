@@ -111,6 +111,7 @@ void live_pane(int k);          // what follows belongs there; at first: 0
 void live_line(live_colour c, const vec3 *at, int n);
 void live_dashes(live_colour c, const vec3 *at, int n);
 void live_area(live_colour c, const vec3 *at, int n);   // filled, lightly
+void live_band(live_colour c, const vec3 *at, int n);   // ... without an outline
 void live_dot(live_colour c, vec3 at, double radius);   // px
 void live_circle(live_colour c, vec3 middle, double radius);    // m; filled, lightly
 void live_arrow(live_colour c, vec3 from, vec3 to);

@@ -11,6 +11,26 @@ export const kept = {
   drop(key) { try { localStorage.removeItem(`tumble:${key}`); } catch { /* nor dropped */ } },
 };
 
+// A field as plain as they come, in which the reader writes until the editor is there.
+function makeField(place, text, label, changed, act) {
+  const field = make('textarea', { value: text, ariaLabel: label, spellcheck: false, autocapitalize: 'off', wrap: 'off', oninput: changed });
+  field.onkeydown = event => { if (event.key === 'Enter' && (event.ctrlKey || event.metaKey)) { event.preventDefault(); act(); } };
+  place.append(field);
+  return {
+    field,
+    get text() { return field.value; },
+    set text(text) { field.value = text; changed(); },
+    mark() {},
+    show(line) {
+      const at = field.value.split('\n').slice(0, line - 1).join('\n').length + (line > 1);
+      field.setSelectionRange(at, at);
+      field.scrollTop = (line - 1) * field.scrollHeight / field.value.split('\n').length - field.clientHeight / 2;
+    },
+  };
+}
+
+const loaded = new Promise(done => { if (document.readyState === 'complete') done(); else addEventListener('load', done); });
+
 // plan: { key, label, file, start() the text to begin with, act() what the first
 // button does, verb its name, more: buttons }.
 export async function makeDesk(place, plan) {
@@ -30,12 +50,11 @@ export async function makeDesk(place, plan) {
   place.replaceChildren(make('div', { className: 'workshop-bar' }, act, end, state, bar), room, more, said);
   if (!isHere()) state.textContent = `The first time brings a compiler, ${megabytes()} MB; Ctrl-Enter does the same.`;
 
-  await script('editor');
-  const editor = window.tumble.workshop.makeEditor(room, plan.label, () => kept.set(plan.key, editor.text), run);
+  const changed = () => kept.set(plan.key, desk.text);
   const desk = {
-    editor,
-    get text() { return editor.text; },
-    set text(text) { editor.text = text; },
+    editor: makeField(room, kept.get(plan.key) ?? plan.start(), plan.label, changed, run),
+    get text() { return desk.editor.text; },
+    set text(text) { desk.editor.text = text; },
     say(...nodes) { said.replaceChildren(...nodes); },
     tell(text, part) {
       state.textContent = text;
@@ -43,14 +62,23 @@ export async function makeDesk(place, plan) {
       if (part !== undefined) bar.value = part;
     },
   };
-  editor.text = kept.get(plan.key) ?? plan.start();
+
+  // The editor comes when all that is read is there, and goes on where the field was left.
+  async function furnish() {
+    await loaded;
+    await script('editor');
+    const { field } = desk.editor, isWriting = document.activeElement === field;
+    desk.editor = window.tumble.workshop.makeEditor(room, field.value, plan.label, changed, run);
+    desk.editor.take(field, isWriting);
+    field.remove();
+  }
 
   async function run() {
     if (act.disabled) return;
     act.disabled = true;
     end.hidden = false;
     desk.say();
-    editor.mark([]);
+    desk.editor.mark([]);
     try {
       await plan.act(desk);
       desk.tell('');
@@ -64,17 +92,18 @@ export async function makeDesk(place, plan) {
 
   // What is taken away can be had back once.
   function again() {
-    const old = editor.text;
+    const old = desk.text;
     desk.text = plan.start();
     desk.say(make('p', {}, 'As at the beginning. ', button('Take that back', () => { desk.text = old; desk.say(); })));
   }
 
   function save() {
-    const link = make('a', { href: URL.createObjectURL(new Blob([editor.text], { type: 'text/x-c' })), download: plan.file });
+    const link = make('a', { href: URL.createObjectURL(new Blob([desk.text], { type: 'text/x-c' })), download: plan.file });
     link.click();
     setTimeout(() => URL.revokeObjectURL(link.href), 1e3);
   }
 
+  furnish().catch(error => desk.tell(error.message));
   return desk;
 }
 

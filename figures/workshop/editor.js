@@ -28,12 +28,13 @@ const look = EditorView.theme({
   '.cm-diagnostic': { whiteSpace: 'pre-wrap' },
 });
 
-// An editor in `place`.  changed() is called when the text is another, act() by
-// Ctrl-Enter.  Tab leaves it, as it leaves any other field.
-export function makeEditor(place, label, changed, act) {
+// An editor in `place` with that text.  changed() is called when the text is another,
+// act() by Ctrl-Enter.  Tab leaves it, as it leaves any other field.
+export function makeEditor(place, text, label, changed, act) {
   const view = new EditorView({
     parent: place,
     state: EditorState.create({
+      doc: text,
       extensions: [
         lineNumbers(), highlightSpecialChars(), history(), drawSelection(), indentOnInput(), bracketMatching(), highlightActiveLine(), highlightActiveLineGutter(),
         cpp(), indentUnit.of('    '), EditorState.tabSize.of(4), syntaxHighlighting(colours), look, lintGutter(),
@@ -55,11 +56,15 @@ export function makeEditor(place, label, changed, act) {
         return { from, to: Math.max(word?.to ?? 0, from), severity: kind === 'note' ? 'info' : kind, message: text };
       })));
     },
-    // Brings a line to the middle; and the reader, if they are to write there.
-    show(line, isToWrite) {
-      const at = lineAt(line);
-      view.dispatch({ selection: { anchor: isToWrite ? at.to : at.from }, effects: EditorView.scrollIntoView(at.from, { y: 'center' }) });
+    // Goes on where another field was left.
+    take({ selectionStart: anchor, selectionEnd: head }, isToWrite) {
+      view.dispatch({ selection: { anchor, head }, effects: EditorView.scrollIntoView(head, { y: 'center' }) });
       if (isToWrite) view.focus();
+    },
+    // Brings a line to the middle.
+    show(line) {
+      const { from } = lineAt(line);
+      view.dispatch({ selection: { anchor: from }, effects: EditorView.scrollIntoView(from, { y: 'center' }) });
     },
   };
 }

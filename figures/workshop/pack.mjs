@@ -1,6 +1,6 @@
 // pack.mjs - what the workshop of the page is sent, as plain scripts:
-//   node pack.mjs exercise NN-name TESTS.o SOURCE TESTS    what is read
-//   node pack.mjs judged NN-name TESTS.o ANSWER.o          what judges it
+//   node pack.mjs exercise NN-name TESTS.o ANSWER.o SOURCE TESTS
+//     what is read of it; what judges it goes to TESTS-judged.js
 //   node pack.mjs figure NAME MODULE.c OBJECT...    what a live figure is linked of
 //   node pack.mjs stage NNa FILE.c PRINTED HASH     a stage of the little program
 //   node pack.mjs headers HEADER...
@@ -49,16 +49,16 @@ function hintsOf(file) {
   return text(file).split(/^\d+\. /m).slice(1).map(hint => hint.replace(/\s*\n\s*/g, ' ').trim());
 }
 
-function exercise(id, object, source, tests) {
+function exercise(id, object, answer, source, tests) {
   const dir = `exercises/${id}`, task = plan(`${dir}/exercise`);
   const headers = Object.fromEntries(readdirSync(dir).filter(file => file.endsWith('.h')).map(file => [file, text(`${dir}/${file}`)]));
   const data = ['tests/data/pairs-all.txt'].filter(file => readFileSync(object).includes(file));
   const facts = { name: id.replace('-', '/'), module: task.module?.[0], stub: cut(task, source), solution: cut(task, source, true), hints: hintsOf(`${dir}/hints`),
     headers, data, first: task.first ?? [], leave: task.leave ?? [], tests: testsOf(text(tests)), source: tests };
+  writeFileSync(object.replace(/\.o$/, '-judged.js'),
+    `Object.assign(tumble.workshop[${JSON.stringify(id)}],${JSON.stringify({ judge: packed(readFileSync(object)), answer: packed(readFileSync(answer)) })});\n`);
   return `tumble.workshop[${JSON.stringify(id)}]=${JSON.stringify(facts)};`;
 }
-const judged = (id, object, answer) =>
-  `Object.assign(tumble.workshop[${JSON.stringify(id)}],${JSON.stringify({ judge: packed(readFileSync(object)), answer: packed(readFileSync(answer)) })});`;
 
 const objects = files => Object.fromEntries(files.map(file => [basename(file), packed(readFileSync(file))]));
 const figure = (name, ...files) => `tumble.workshop.figure=${JSON.stringify({ name, objects: objects(files) })};`;
@@ -108,4 +108,4 @@ function compiler(folder, out) {
 }
 
 const [form, ...rest] = process.argv.slice(2);
-process.stdout.write({ exercise, judged, figure, stage, headers, data, worker, compiler }[form](...rest) + '\n');
+process.stdout.write({ exercise, figure, stage, headers, data, worker, compiler }[form](...rest) + '\n');

@@ -27,8 +27,7 @@ for name in "$@"; do
     echo "$folder/$id.o: $(objects | tr '\n' ' ')"
     made_of="$folder/$id.o $tests $solution"
     for file in "$dir"/*; do case $file in */mine.*|*/README.md) ;; *) made_of="$made_of $file" ;; esac; done
-    echo "$folder/$id.js: $made_of"
-    echo "$folder/$id-judged.js: $answer"
+    echo "$folder/$id.js: $made_of $answer"
     echo "ANSWER_$id := $answer"
     echo "SOURCE_$id := $solution $tests"
     # What a module that the reader writes moves in: the first figure of its chapter.

@@ -58,9 +58,8 @@ $(WORKED:%=$(WORKSHOP)/%.o): $(WORKSHOP)/%.o: figures/workshop/workshop.mk
 	$(Q)wasm-ld -r $(filter %.o,$^) -o $@
 $(WORKED:%=$(WORKSHOP)/%.js): $(WORKSHOP)/%.js: figures/workshop/pack.mjs exercises/cut.awk
 	@echo "  pack  $@"
-	$(Q)node figures/workshop/pack.mjs exercise $* $(WORKSHOP)/$*.o $(SOURCE_$*) > $@
-$(WORKED:%=$(WORKSHOP)/%-judged.js): $(WORKSHOP)/%-judged.js: $(WORKSHOP)/%.o figures/workshop/pack.mjs
-	$(Q)node figures/workshop/pack.mjs judged $* $(WORKSHOP)/$*.o $(ANSWER_$*) > $@
+	$(Q)node figures/workshop/pack.mjs exercise $* $(WORKSHOP)/$*.o $(ANSWER_$*) $(SOURCE_$*) > $@
+$(WORKED:%=$(WORKSHOP)/%-judged.js): $(WORKSHOP)/%-judged.js: $(WORKSHOP)/%.js ;
 
 # --- What a reader's module moves in ------------------------------------------------
 FIGURED := $(foreach e,$(WORKED),$(if $(FIGURE_$e),$e))
@@ -74,16 +73,20 @@ endef
 $(foreach e,$(FIGURED),$(eval $(call figured_rule,$e)))
 
 # --- The little program ---------------------------------------------------------------
-# What each stage prints, and the hash of its bits, are this machine's.
+# What each stage prints, and the hash of its bits, are this machine's.  Those that run
+# for seconds come first.
+LONG := $(filter 09b 18c 16c 09a,$(STAGES))
 STAGED := $(STAGES:%=$(WORKSHOP)/stage-%.js)
 $(WORKSHOP)/little/%.c: $(wildcard chapters/little/*.c) chapters/little/cut.awk
 	$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' sh chapters/little/little.sh cut $* $@
-$(STAGED): $(WORKSHOP)/stage-%.js: $(WORKSHOP)/little/%.c figures/workshop/printed.c figures/workshop/pack.mjs chapters/little/stages.txt
+$(STAGED): $(WORKSHOP)/stage-%.js: $(WORKSHOP)/little/%.c $(WORKSHOP)/printed-here.o figures/workshop/pack.mjs chapters/little/stages.txt
 	@echo "  run   $<"
-	$(Q)$(CC) -std=c11 -ffp-contract=off -O2 -w -fno-builtin-printf -Dprintf=printf_noted -c $< -o $(<:.c=.o)
-	$(Q)$(CC) -std=c11 -O2 -w $(<:.c=.o) figures/workshop/printed.c -lm -o $(<:.c=)
+	$(Q)$(CC) -std=c11 -ffp-contract=off -O1 -w -fno-builtin-printf -Dprintf=printf_noted -c $< -o $(<:.c=.o)
+	$(Q)$(CC) $(<:.c=.o) $(WORKSHOP)/printed-here.o -lm -o $(<:.c=)
 	$(Q)$(<:.c=) > $(<:.c=.txt) 2> $(<:.c=.hash)
 	$(Q)node figures/workshop/pack.mjs stage $* $< $(<:.c=.txt) $(<:.c=.hash) > $@
+$(WORKSHOP)/printed-here.o: figures/workshop/printed.c
+	$(Q)mkdir -p $(@D) && $(CC) -std=c11 -O2 -w -c $< -o $@
 $(WORKSHOP)/printed.o: figures/workshop/printed.c $(WORKSHOP)/flags
 	$(Q)$(WASM) $(EXACT) -O2 -c $< -o $@
 $(WORKSHOP)/runner.js: $(WORKSHOP)/printed.o figures/workshop/pack.mjs

@@ -75,7 +75,7 @@ await together(TOGETHER, chapters, async name => {
 await together(TOGETHER, chapters, async name => {
   const page = await open(name, { viewport: PHONE, hasTouch: true, reducedMotion: 'reduce' });
   const small = await page.evaluate(least => [...document.querySelectorAll('.live-figure :is(button, input[type=range], .live-choice span)')]
-    .map(node => ({ node, box: node.getBoundingClientRect() })).filter(({ box }) => box.height < least)
+    .filter(node => node.checkVisibility()).map(node => ({ node, box: node.getBoundingClientRect() })).filter(({ box }) => box.height < least)
     .map(({ node, box }) => `${node.closest('figure').id} ${node.ariaLabel ?? node.textContent} ${box.height.toFixed(0)}`), FINGER);
   check(!small.length, `${name}: ${FINGER} px for a finger: ${small.slice(0, 4)}`);
   const gone = await page.evaluate(() => [...document.querySelectorAll('.live-figure')].filter(figure => {

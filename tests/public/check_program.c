@@ -1245,6 +1245,46 @@ START_TEST(weights_over_a_drum_go_as_atwood_says)
 }
 END_TEST
 
+// What 200 balls that rain between four walls have, of what they fell with.
+static double rain(unsigned seed)
+{
+    tumble_world *w = tumble_world_make(NULL);
+    tumble_plane_add(w, tumble_v(0, 1, 0), 0, -1);
+    for (int k = -1; k < 2; k += 2) {
+        tumble_plane_add(w, tumble_v(k, 0, 0), -2, -1);
+        tumble_plane_add(w, tumble_v(0, 0, k), -2, -1);
+    }
+    tumble_shape ball = tumble_shape_sphere(w, 0.15, 0.1);
+    for (int i = 0; i < 200; i++) {
+        double aside[2];
+        for (int k = 0; k < 2; k++) {
+            seed = seed * 1664525u + 1013904223u;
+            aside[k] = seed / 4294967296.0 - 0.5;
+        }
+        double x = 0.35 * (i % 10 - 4.5) + 0.04 * aside[0];
+        double y = 0.2 + 0.31 * (i / 10), z = 3.4 * aside[1];
+        tumble_body_add(w, ball, tumble_body_at(x, y, z));
+    }
+    double began = tumble_world_measure(w).potential, most = 0;
+    for (int f = 0; f < 90; f++) {
+        tumble_world_step(w);
+        tumble_measures m = tumble_world_measure(w);
+        if (f > 0) most = fmax(most, m.kinetic + m.potential);
+    }
+    expect_fine(w);
+    tumble_world_free(w);
+    return most / began;
+}
+
+// Rejects: impulses that are scaled for every time that their contact is found
+// again, where frames are divided.
+START_TEST(balls_that_rain_on_balls_gain_nothing)
+{
+    for (unsigned seed = 1; seed < 4; seed++)
+        ck_assert_double_le(rain(seed), 1 + 1e-3);
+}
+END_TEST
+
 int main(void)
 {
     const TTest *const tests[] = {
@@ -1291,6 +1331,7 @@ int main(void)
         a_box_that_hangs_still_has_no_velocity,
         materials_cloth_and_filters_are_taken,
         nonsense_is_refused_in_a_sentence,
+        balls_that_rain_on_balls_gain_nothing,
         NULL
     };
     return suite_run((suite){

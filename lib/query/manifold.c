@@ -745,6 +745,10 @@ static int choose_exposed(const meetings *m, vec3 first, real turn, touch *out)
     return n;
 }
 
+//<
+
+//> manifold-order
+//>   The solver takes the points in turn, so their order is not rounding's.
 // Which vertex is nearest, and so where a rim begins, is rounding's choice, of a
 // body that lies flat.  So of corners that are all kept each kind begins with its
 // lowest vertex, and goes on round the rim: in a world that is turned or moved the
@@ -794,6 +798,9 @@ static void begin_with_lowest(meetings *m)
     }
 }
 
+//<
+
+//> manifold-keep
 // The touches from at least two corners; returns how many.
 static int choose(const meetings *m, const touch *nearest, real slack,
                   real turn, touch out[MANIFOLD_POINTS])

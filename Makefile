@@ -278,7 +278,8 @@ test: need-check
 #:   make site       the book as pages for a browser, with live figures:
 #:                   build/site/index.html (make deps-site); SITE_URL=ADDRESS says
 #:                   in each page where it will stand, for those who pass it on
-#:   make html       build/book.html, one page with all in it; make pdf and make
+#:   make html       build/book.html, one page with all in it; make pdf (two volumes:
+#:                   the chapters, and the listings, build/book-2.pdf) and make
 #:                   epub: for paper and for e-readers (make deps-book)
 #:   make live 01    the live figures of chapter 01, in a page (make deps-site)
 #:   make library    build/libtumble.a

@@ -107,7 +107,7 @@ local function Link(link)
   if path then target = place_of_file(path, line ~= '' and line)
   elseif other then target = place(other, id) end
   if not path then link.content = { raw(html_of(link.content)) } end
-  if not target and other and volume == '1' then link.content:insert(raw('<span class="there" data-page="' .. other .. '"></span>')) end
+  if not target and other and volume == '1' then return pandoc.Span({ link.content[1], raw('<span class="there" data-page="' .. other .. '"></span>') }) end
   if not target then return pandoc.Span(link.content) end
   return pandoc.Link(link.content, target, link.title, link.attr)
 end

@@ -162,7 +162,8 @@ heads() {
                 "$one" "$one" "$one" "$(title "$one")"
         done
     fi
-    echo '</style><script>'; cat $here/paper.js; echo '</script>'
+    echo '</style>'
+    [ "$volume" = 2 ] || { echo '<script>'; cat $here/paper.js; echo '</script>'; }
 }
 
 # print PAGE FILE: a page on paper.

@@ -28,6 +28,7 @@ static void begin(void)
     unsigned long long seed = 5;
     vec3 half = HALF[live_choice(ROOM)];
     broad_free(&sorted);
+    memset(ball, 0, sizeof ball);       // also those that are no more
     balls = (int)live_dial(BALLS);
     for (int i = 0; i < balls; i++) {
         real number[4];

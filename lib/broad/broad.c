@@ -353,6 +353,7 @@ static void sweep(broad *s, pair_list *out)
 //<
 
 //> broad-order-pairs
+//>   Pairs stand in one order, whatever the tree found first.
 void broad_order(int (*pair)[2], int n)
 {
     int gap = 1;

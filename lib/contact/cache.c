@@ -810,6 +810,7 @@ void cache_free(contact_cache *c)
 //<
 
 //> cache-forget
+//>   What a body leaves behind is forgotten with it.
 static void drop_kept(contact_cache *c, cache_pair *p)
 {
     if (p->entry >= 0) c->entry[p->entry].contact.count = 0;

@@ -883,23 +883,21 @@ ALWAYS_INLINE void warm_block(block *k, const solver_pass *q, bool two)
     static void name(void *data, int item)                            \
     {                                                                 \
         const solver_pass *q = data;                                  \
-        block *k = q->s->block + q->first;                            \
-        int i = item * FEW_BLOCKS;                                    \
-        int end = task_last(item, q->count, FEW_BLOCKS);              \
+        block *first = q->s->block + q->first;                        \
+        block *x = first + item * FEW_BLOCKS;                         \
+        block *end = first + task_last(item, q->count, FEW_BLOCKS);   \
         if (q->sides == TWO_SIDED)                                    \
-            for (; i < end; i++) solve_two;                           \
+            for (; x < end; x++) solve_two;                           \
         else                                                          \
-            for (; i < end; i++) solve_one;                           \
+            for (; x < end; x++) solve_one;                           \
     }
 
-PASS(see_chunk, see_block(&k[i], q, true), see_block(&k[i], q, false))
-PASS(warm_chunk, warm_block(&k[i], q, true), warm_block(&k[i], q, false))
-PASS(push_chunk, push(&k[i], q, true, false), push(&k[i], q, false, false))
-PASS(push_to_impacts_chunk, push(&k[i], q, true, true),
-     push(&k[i], q, false, true))
-PASS(relax_chunk, relax(&k[i], q, true, false), relax(&k[i], q, false, false))
-PASS(relax_to_impacts_chunk, relax(&k[i], q, true, true),
-     relax(&k[i], q, false, true))
+PASS(see_chunk, see_block(x, q, true), see_block(x, q, false))
+PASS(warm_chunk, warm_block(x, q, true), warm_block(x, q, false))
+PASS(push_chunk, push(x, q, true, false), push(x, q, false, false))
+PASS(push_to_impacts_chunk, push(x, q, true, true), push(x, q, false, true))
+PASS(relax_chunk, relax(x, q, true, false), relax(x, q, false, false))
+PASS(relax_to_impacts_chunk, relax(x, q, true, true), relax(x, q, false, true))
 
 const solver_passes PASSES = {
     .fill = fill_chunk, .refill = fill_block, .keep = keep_chunk, .renew = renew_chunk,

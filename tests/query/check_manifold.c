@@ -391,6 +391,31 @@ START_TEST(equal_cubes_stacked_touch_in_their_four_corners)
 }
 END_TEST
 
+// Rejects: a rim that begins at the vertex that the query calls nearest, which of
+// faces that lie on each other is any of four.
+START_TEST(corners_come_in_the_order_of_their_vertices)
+{
+    static const int low[4] = { 0, 1, 4, 5 };
+    for (int k = 0; k < 100; k++) {
+        axes f = any_axes();
+        answer first;
+        for (int i = 0; i < 4; i++) {
+            standing b = stand(&cube, f, vec3_make(0, 0, 0));
+            standing a = stand(&cube, f, vec3_scale(1.001, f.y));
+            answer r = { .normal = f.y };
+            r.nearest = (touch){ { 1, { low[i] }, { 1 } },
+                                 { 1, { low[i] + 2 }, { 1 } }, 0.001 };
+            find(&a, &b, 0.05, &r);
+            ck_assert_int_eq(r.count, 4);
+            if (i == 0) first = r;
+            for (int n = 0; n < 4; n++)
+                ck_assert_int_eq(r.of[n].a.vertex[0], first.of[n].a.vertex[0]);
+            ck_assert_int_eq(r.of[0].a.vertex[0], 0);
+        }
+    }
+}
+END_TEST
+
 // Rejects: a corner on the wrong side of an edge; crossings that are left out,
 // so that only two corners stay.
 START_TEST(shifted_cubes_touch_in_the_corners_of_a_rectangle)
@@ -1420,6 +1445,7 @@ int main(void)
 {
     const TTest *const tests[] = {
         equal_cubes_stacked_touch_in_their_four_corners,
+        corners_come_in_the_order_of_their_vertices,
         shifted_cubes_touch_in_the_corners_of_a_rectangle,
         turned_cube_stands_on_four_corners_of_an_octagon,
         small_cube_stands_on_the_wide_face_under_it,

@@ -45,7 +45,8 @@ static void begin(void)
 static void reset(void)
 {
     for (int k = 0; k < PARTICLES; k++) {
-        real side = k % 2 ? 1 : -1, pinned = k == 0 || k == PARTICLES - 1;
+        real side = k % 2 ? 1 : -1;
+        bool pinned = k == 0 || k == PARTICLES - 1;
         hand[k] = vec3_make(-2.4 + 0.6 * k, pinned ? 0 : 0.45 * side + 0.12 * k - 0.3, 0);
     }
     begin();
@@ -97,7 +98,7 @@ static unsigned long long hash(void)
     unsigned long long h = live_hash(LIVE_HASH, x, sizeof x);
     h = live_hash(h, y, sizeof y);
     h = live_hash(h, room, sizeof room);
-    return live_hash(h, (int[]){ now, at }, 2 * sizeof(int));
+    return live_hash(h, (int[]){ (int)now, at }, 2 * sizeof(int));
 }
 
 const live_figure figure = {

@@ -4,8 +4,8 @@
 // Both sides take turns, in rounds: the machine may be busy, and ratios hold.
 
 #include "clock.h"
-#include "peers.h"
 #include "peers_others.h"
+#include "peers.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -2,12 +2,12 @@
 // distinct pairs of each, because a loop over few teaches the processor their
 // answers.  The slow oracle judges.
 
-#include "peers.h"
 #include "peers_others.h"
 #include "hard_set.h"
 #include "hit_face.h"
 #include "oracle.h"
 #include "random.h"
+#include "peers.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -4,13 +4,13 @@
 // Depth, strain and energy are measured by one and the same function for both
 // sides, from the vertices alone.
 
-#include "peers.h"
 #include "peers_others.h"
 #include "hard_set.h"
 #include "hit_face.h"
 #include "oracle.h"
 #include "random.h"
 #include "step.h"
+#include "peers.h"
 
 #include <math.h>
 #include <stdio.h>

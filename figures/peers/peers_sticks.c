@@ -1,11 +1,11 @@
 // peers_sticks.c - what needs no peer: a rope; and the cloth, which no other C
 // library has, beside what was measured elsewhere.
 
-#include "peers.h"
 #include "hard_set.h"
 #include "line.h"
 #include "world_scene.h"
 #include "step.h"
+#include "peers.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -21,8 +21,13 @@ fail() { echo "$name: $1" >&2; exit "${2:-1}"; }
 parallel --version 2> /dev/null | grep -q '^GNU parallel' ||
     fail "a sweep needs GNU Parallel, which is not here (make deps-dev installs it); $again"
 
-# At its second TERM Parallel ends its rows.
-stop() { kill -TERM $!; sleep 0.2; kill -TERM $! 2> /dev/null; wait $!; fail "the sweep is stopped; $again" "$1"; }
+# Parallel is asked to begin no more rows before it is told to end those that run:
+# a row that TERM catches being begun would go on without it, and hold the folder.
+stop() {
+    kill -HUP $!; sleep 0.2
+    kill -TERM $! 2> /dev/null; sleep 0.2; kill -TERM $! 2> /dev/null
+    wait $!; fail "the sweep is stopped; $again" "$1"
+}
 trap 'stop 129' HUP
 trap 'stop 130' INT
 trap 'stop 143' TERM

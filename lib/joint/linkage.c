@@ -100,7 +100,7 @@ status linkage_add(linkage *l, const joint *j, int *number)
     l->joint[k] = *j;
     l->rows[k] = (joint_rows){ .count = 0 };
     l->role[k] = JOINT_IDLE;
-    linkage_count_pins(l);
+    if (j->kind == JOINT_PIN) linkage_count_pins(l);
     return status_ok();
 }
 
@@ -108,10 +108,11 @@ void linkage_remove(linkage *l, int number)
 {
     assert(number >= 0 && number < l->count);
     assert(l->joint[number].kind != JOINT_NONE);
+    bool was_pin = l->joint[number].kind == JOINT_PIN;
     l->joint[number] = (joint){ .kind = JOINT_NONE };
     l->role[number] = JOINT_IDLE;
     l->gone++;
-    linkage_count_pins(l);
+    if (was_pin) linkage_count_pins(l);
 }
 
 // A pair of bodies as one number, the smaller one first.

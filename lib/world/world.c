@@ -355,8 +355,9 @@ void world_wake_around(world *w, int b)
 {
     sphere own = world_ball(w, b);
     world_wake(w, b);
+    if (w->sleep.sleepers == 0) return;
     wake_joined(w, b);
-    for (int k = 0; k < w->bodies && w->sleep.sleepers > 0; k++) {
+    for (int k = 0; k < w->bodies; k++) {
         if (!w->sleep.asleep[k]) continue;
         sphere other = world_ball(w, k);
         if (vec3_distance(own.center, other.center)

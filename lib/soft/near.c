@@ -475,8 +475,7 @@ static void choose_candidates(near_lists *l, const soft_frame *f,
     real reach = frame_reach(l, f, ahead);
     int missing = 0;
     for (int b = 0; b < f->bodies; b++) l->is_near[b] = false;
-    for (int a = 0; a < f->bodies; a++)
-        if (body_is_soft(&f->body[a])) mark_near(l, f, a, reach);
+    for (int n = 0; n < f->softs; n++) mark_near(l, f, f->soft[n], reach);
     for (int b = 0; b < f->bodies; b++) missing += l->is_near[b];
     for (int k = 0; k < l->candidates; k++)
         missing -= l->is_near[l->candidate[k]];
@@ -569,6 +568,7 @@ static bool make_room(near_lists *l, int bodies, int particles)
         TABLE_GROW(ok, l->ball, l->bodies, room);
         TABLE_GROW(ok, l->is_near, l->bodies, room);
         TABLE_GROW(ok, l->candidate, l->candidates, room);
+        TABLE_GROW(ok, l->soft, l->softs, room);
         if (ok) l->bodies = room;
     }
     if (particle_room > l->particles) {
@@ -615,7 +615,9 @@ status near_add(near_lists *l, const body *all, int b, int bodies,
     status done = grow_grid(&l->grid, n);
     if (done.ok) done = build_tree(&l->tree[b], x);
     if (!done.ok) return done;
-    l->softs++;
+    int k = l->softs++;
+    for (; k > 0 && l->soft[k - 1] > b; k--) l->soft[k] = l->soft[k - 1];
+    l->soft[k] = b;
     l->soft_particles += n;
     l->margin = fmin(l->margin, margin_of(x));
     return done;
@@ -624,7 +626,7 @@ status near_add(near_lists *l, const body *all, int b, int bodies,
 void near_free(near_lists *l)
 {
     for (int b = 0; b < l->bodies; b++) sphere_tree_free(&l->tree[b]);
-    void *owned[] = { l->tree, l->ball, l->is_near, l->candidate, l->at,
+    void *owned[] = { l->soft, l->tree, l->ball, l->is_near, l->candidate, l->at,
                       l->listed, l->pair, l->point, l->leaf, l->ahead, l->met,
                       l->facet.at, l->facets_before.at };
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) free(owned[i]);
@@ -673,16 +675,19 @@ void near_forget(near_lists *l, int b)
     l->trusted = -1;
 }
 
-void near_remove(near_lists *l, const body *all, int b, int bodies)
+void near_remove(near_lists *l, const body *all, int b)
 {
     near_forget(l, b);
     if (!body_is_soft(&all[b])) return;
     sphere_tree_free(&l->tree[b]);
-    l->softs--;
+    int softs = l->softs;
+    l->softs = 0;
     l->soft_particles -= all[b].shape->particles;
     l->margin = HUGE_VAL;
-    for (int k = 0; k < bodies; k++)
-        if (k != b && l->tree[k].leaves > 0)
-            l->margin = fmin(l->margin, margin_of(&all[k]));
+    for (int k = 0; k < softs; k++) {
+        if (l->soft[k] == b) continue;
+        l->soft[l->softs++] = l->soft[k];
+        l->margin = fmin(l->margin, margin_of(&all[l->soft[k]]));
+    }
 }
 //<

@@ -25,6 +25,8 @@ typedef struct {
     const body *body;           // [bodies]
     const bool *asleep;         // [bodies]
     int  bodies;
+    const int *soft;            // [softs] the deformable ones, in their order
+    int  softs;
     particle *particle;         // the pool
     const solver_body *now;     // [bodies] rigid ones, as the frame begins,
     line_hold *hold;            // [particles] of the pool
@@ -62,6 +64,10 @@ static inline bool soft_moves(const soft_frame *f, int b)
     return !body_is_fixed(&f->body[b])
         && !f->asleep[body_whole(&f->body[b], b)];
 }
+static inline bool is_moving_soft(const soft_frame *f, int b)
+{
+    return body_is_soft(&f->body[b]) && soft_moves(f, b);
+}
 // Where bodies a and b meet, or a and a plane (b < 0).
 static inline material soft_material(const soft_frame *f, int a, int b)
 {
@@ -76,10 +82,6 @@ static inline bool soft_meets(const soft_frame *f, int a, int b)
         if ((f->tied[k].soft == a && f->tied[k].rigid == b)
             || (f->tied[k].soft == b && f->tied[k].rigid == a)) return false;
     return body_meets(&f->body[a], &f->body[b]);
-}
-static inline bool is_moving_soft(const soft_frame *f, int b)
-{
-    return body_is_soft(&f->body[b]) && soft_moves(f, b);
 }
 //<
 
@@ -143,8 +145,9 @@ typedef struct {
     struct leaf_pair *leaf;     // room for a traversal of two trees
     int  leaf_capacity;
     grid grid;          // for the largest deformable body
-    int  softs;         // deformable bodies,
-    int  soft_particles;        // and theirs
+    int  *soft;         // [softs] the deformable bodies, in their order,
+    int  softs;
+    int  soft_particles;        // and their particles
     int  made;          // how often, since near_begin
     int  dropped;       // pairs that found no room, since then
 } near_lists;
@@ -163,7 +166,7 @@ void   rigid_view_free(rigid_view *v);  // likewise
 // What is kept of body b is forgotten: it has been put elsewhere.
 void   near_forget(near_lists *l, int b);
 // It is taken away, as well.
-void   near_remove(near_lists *l, const body *all, int b, int bodies);
+void   near_remove(near_lists *l, const body *all, int b);
 
 // A frame begins: where is everything, and what may meet?
 void near_begin(near_lists *l, const soft_frame *f, const prediction *ahead);

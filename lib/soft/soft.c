@@ -131,9 +131,9 @@ static void draw_diagonals(soft_solver *s, const soft_frame *f, const body *b)
 
 void soft_move(soft_solver *s, const soft_frame *f)
 {
-    for (int b = 0; b < f->bodies; b++) {
-        if (!is_moving_soft(f, b)) continue;
-        const body *x = &f->body[b];
+    for (int n = 0; n < f->softs; n++) {
+        const body *x = &f->body[f->soft[n]];
+        if (!soft_moves(f, f->soft[n])) continue;
         fall(f, x);
         bend_relax(x->shape, x->bending, f->particle + x->first, f->h,
                    s->bends);
@@ -143,8 +143,9 @@ void soft_move(soft_solver *s, const soft_frame *f)
 
 void soft_draw(soft_solver *s, const soft_frame *f)
 {
-    for (int b = 0; b < f->bodies; b++)
-        if (is_moving_soft(f, b)) draw_diagonals(s, f, &f->body[b]);
+    for (int n = 0; n < f->softs; n++)
+        if (soft_moves(f, f->soft[n]))
+            draw_diagonals(s, f, &f->body[f->soft[n]]);
 }
 //<
 
@@ -240,8 +241,8 @@ static void relax_body(soft_solver *s, const soft_frame *f, const body *b)
 
 void soft_relax(soft_solver *s, const soft_frame *f)
 {
-    for (int b = 0; b < f->bodies; b++)
-        if (is_moving_soft(f, b)) relax_body(s, f, &f->body[b]);
+    for (int n = 0; n < f->softs; n++)
+        if (soft_moves(f, f->soft[n])) relax_body(s, f, &f->body[f->soft[n]]);
 }
 //<
 
@@ -279,11 +280,13 @@ void soft_certify(soft_solver *s, const soft_frame *f)
 
 int soft_stretched(const soft_frame *f)
 {
-    int n = 0;
-    for (int b = 0; b < f->bodies; b++)
-        if (is_moving_soft(f, b) && !(f->body[b].compliance > 0))
-            n += is_stretched(f->body[b].shape, f->particle + f->body[b].first);
-    return n;
+    int count = 0;
+    for (int n = 0; n < f->softs; n++) {
+        const body *x = &f->body[f->soft[n]];
+        if (soft_moves(f, f->soft[n]) && !(x->compliance > 0))
+            count += is_stretched(x->shape, f->particle + x->first);
+    }
+    return count;
 }
 //<
 
@@ -408,8 +411,8 @@ static int substeps_to_meet(const soft_solver *s, const soft_frame *f, int a,
     const prediction *x = &s->ahead[a], *y = &s->ahead[b];
     const sphere *ball = s->near.ball;
     if (a == b) return substeps_for(f, a, x->turn, 1);
-    if (!soft_meets(f, a, b)) return 0;
     if (!balls_meet(ball[a], ball[b], x->reach + y->reach)) return 0;
+    if (!soft_meets(f, a, b)) return 0;
     if (body_is_soft(&f->body[b])) return substeps_for(f, a, x->reach, 1);
     bool is_thick = f->body[b].inner > f->body[a].shape->spacing;
     int n = substeps_for(f, a, x->reach, is_thick ? INTO_THICK : 1);
@@ -465,8 +468,8 @@ static bool is_stiff(const soft_solver *s, const soft_frame *f, int a)
 int soft_substeps(const soft_solver *s, const soft_frame *f)
 {
     int n = 0;
-    for (int a = 0; a < f->bodies; a++) {
-        if (!body_is_soft(&f->body[a])) continue;
+    for (int k = 0; k < f->softs; k++) {
+        int a = f->soft[k];
         int usual = is_stiff(s, f, a) ? f->stiff_substeps : f->substeps;
         int most = share_of(f, f->substeps + MORE_WHEN_PRESSED);
         int pressed = (int)real_min(f->frame * s->pace, most);
@@ -531,9 +534,9 @@ void soft_forget(soft_solver *s, int b)
     s->view.of = -1;
 }
 
-void soft_remove(soft_solver *s, const body *all, int b, int bodies)
+void soft_remove(soft_solver *s, const body *all, int b)
 {
-    near_remove(&s->near, all, b, bodies);
+    near_remove(&s->near, all, b);
     s->view.of = -1;
 }
 

@@ -47,7 +47,7 @@ void   soft_free(soft_solver *s);       // an empty or zeroed one is fine
 // What is kept of body b is forgotten: it has been put elsewhere; or it is
 // taken away, as well.
 void soft_forget(soft_solver *s, int b);
-void soft_remove(soft_solver *s, const body *all, int b, int bodies);
+void soft_remove(soft_solver *s, const body *all, int b);
 
 // A frame begins, and rigid bodies have been looked at: where are deformable
 // ones, and how may they move?  held says which hang on something.

@@ -545,9 +545,10 @@ static bool touch_plane(const soft_frame *f, int i, plane wall, real apart,
 int touch_planes(const soft_frame *f)
 {
     int touching = 0;
-    for (int b = 0; b < f->bodies && f->planes > 0; b++) {
+    for (int n = 0; n < f->softs && f->planes > 0; n++) {
+        int b = f->soft[n];
         const body *soft = &f->body[b];
-        if (!is_moving_soft(f, b)) continue;
+        if (!soft_moves(f, b)) continue;
         for (int i = soft->first; i < soft->first + soft->shape->particles; i++)
             for (int k = 0; k < f->planes; k++)
                 touching += touch_plane(f, i, f->plane[k], soft->thickness,

@@ -13,6 +13,7 @@ soft_frame soft_frame_of(world *w, real h)
     rigid_tables *t = &w->rigid;
     return (soft_frame){
         .body = w->body, .asleep = w->sleep.asleep, .bodies = w->bodies,
+        .soft = w->soft.near.soft, .softs = w->soft.near.softs,
         .particle = w->pool.at, .hold = w->soft.hold, .now = t->now, .moved = t->moved,
         .velocity = t->velocity, .ball = t->ball, .ahead = t->ahead,
         .tied = w->joints.tied, .ties = w->joints.ties,
@@ -60,13 +61,13 @@ bool soft_wake(world *w)
     find_hung(w);
     soft_frame f = soft_frame_of(w, w->age);
     soft_begin(&w->soft, &f);
-    for (int a = 0; a < w->bodies; a++) {
-        if (!body_is_soft(&w->body[a]) || body_is_static(&w->body[a])) continue;
-        for (int b = 0; b < w->bodies; b++) {
+    for (int n = 0; n < f.softs; n++) {
+        int a = f.soft[n];
+        for (int b = 0; b < w->bodies && !body_is_static(&w->body[a]); b++) {
             int of = body_whole(&w->body[b], b);
-            if (b == a || body_is_fixed(&w->body[b])
+            if (b == a || !soft_may_touch(&w->soft, a, b)
+                || body_is_fixed(&w->body[b])
                 || !body_meets(&w->body[a], &w->body[b])) continue;
-            if (!soft_may_touch(&w->soft, a, b)) continue;
             woke |= world_wake_near(w, a, of);
             if (body_is_dynamic(&w->body[of])) sleep_touch(&w->sleep, a, of);
         }

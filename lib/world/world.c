@@ -762,7 +762,7 @@ static void leave(world *w, int b)
 {
     body x = w->body[b];
     if (body_rides(&x)) leave_whole(w, b);
-    soft_remove(&w->soft, w->body, b, w->bodies);
+    soft_remove(&w->soft, w->body, b);
     leave_shape(w, x.entry);
     w->softs -= body_is_soft(&x);
     w->dynamic_bodies -= body_is_dynamic(&x);

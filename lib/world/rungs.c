@@ -70,7 +70,7 @@ static void find_islands(world *w)
                                            .is_calm = true };
     for (int k = 0; k < t->solver.contacts; k++) {
         const active_contact *x = &t->solver.active[k];
-        if (x->count > 0 && x->sides == TWO_SIDED) unite(t, x->a, x->b);
+        if (x->count > 0 && x->sides != ONE_SIDED) unite(t, x->a, x->b);
     }
     for (int k = 0; k < w->joints.count; k++) {
         const joint *j = &w->joints.joint[k];
@@ -187,7 +187,7 @@ static void find_demands(world *w)
         i->bears += x->borne > 0;
         if (w->kinematic_bodies > 0) i->is_fast |= rungs_sweeps(w, x->a, x->b);
         i->turn = real_max(i->turn, turn_of(w, x->a));
-        if (x->sides == TWO_SIDED)
+        if (x->sides != ONE_SIDED)
             i->turn = real_max(i->turn, turn_of(w, x->b));
     }
     for (int k = 0; k < w->joints.count; k++) {

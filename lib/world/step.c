@@ -572,7 +572,7 @@ static void face_balls(world *w, const solver_frame *f)
         active_contact *x = &s->active[k];
         contact *c = t->cache.active[k];
         bool moves = t->fresh[x->a]
-                  || (x->sides == TWO_SIDED && t->fresh[x->b]);
+                  || (x->sides != ONE_SIDED && t->fresh[x->b]);
         x->is_new = x->count == 1 && moves
                  && restitution_face(c, f, t->velocity, t->moved);
         some |= x->is_new;

@@ -113,8 +113,8 @@ static void transpose(block *k, const lane_source q[REAL4])
 
 //> passes-stand
 //>   Where do the bodies of a block stand now? Arms and gaps follow from it. Of
-//>   what lies, and of what touches a driven body, arms are taken elsewhere
-//>   (chapter 18).
+//>   what lies, and of what touches a driven body that turns, arms are taken
+//>   elsewhere (chapter 18).
 // The frames and the turns of four bodies.
 typedef struct {
     real4 center[3], axis[FOUR_AXES][3], turn[TURNS][3], inverse;
@@ -221,7 +221,8 @@ static void find_gaps(block *k, const raw_block *raw)
     }
 }
 
-// Rows are made elsewhere for what lies, and for what touches a driven body.
+// Rows are made elsewhere for what lies, and for what touches a driven body that
+// turns.
 static bool stand_elsewhere(const contact_solver *s, const block *k,
                             const solver_frame *f, raw_block *raw)
 {

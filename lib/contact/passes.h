@@ -39,8 +39,8 @@ typedef struct {
 } solver_body;
 
 // Where are the rows of a body made?  Where it stands when a substep ends;
-// halfway, if it touches a driven body that turns; or, if it lies, where its contacts
-// were found.
+// halfway, if it touches a driven body that turns; or, if it lies, where its
+// contacts were found.
 enum { GOES_EXACTLY, GOES_BY_HALVES, LIES };
 
 // What the solver is told about a frame.

@@ -391,7 +391,7 @@ static int close_up(world *w)
 int rungs_find(world *w)
 {
     find_islands(w);
-    find_grounds(w);
+    if (w->kinematic_bodies > 0) find_grounds(w);
     find_demands(w);
     choose_all(w);
     sort_by_rung(w, take_rungs(w));

@@ -201,9 +201,15 @@ static real slack_of(const contact_cache *c, const cache_frame *f, int a, int b)
     return slack_of_body(c, f, a) + (b < 0 ? 0 : slack_of_body(c, f, b));
 }
 
+// m, by how much the gap of a pair may close in this frame, whichever of its bodies
+// others stop.  None stops what is driven: what rides on it comes no nearer.
 static real reach_of(const cache_frame *f, int a, int b)
 {
-    return f->ahead[a].reach + (b < 0 ? 0 : f->ahead[b].reach);
+    const prediction *x = &f->ahead[a], *y = &f->ahead[b];
+    if (b < 0) return x->reach;
+    if (f->now[a].is_driven || f->now[b].is_driven)
+        return vec3_distance(x->way, y->way) + x->turn + y->turn;
+    return x->reach + y->reach;
 }
 
 // m, for which ways an answer that looked `reach` ahead holds later, too: for

@@ -1,13 +1,13 @@
 //> passes-lane
-//>   First the blocks are made. A contact whose A does not move is turned round,
-//>   so that A always moves.
+//>   First the blocks are made. A contact whose A yields to no push is turned
+//>   round, so that A always yields.
 #include "passes.h"
 
 #ifndef PASSES
 #define PASSES passes_narrow    // see passes_wide.c
 #endif
 
-// A contact on its way into a lane of a block, turned so that A moves.
+// A contact on its way into a lane of a block, turned so that A yields.
 typedef struct {
     int  a, b;
     vec3 normal, across, aside;
@@ -48,7 +48,7 @@ static void choose_points(lane_source *q, const contact *c,
     }
 }
 
-// A contact whose A does not move is solved the other way round: its normal,
+// A contact whose A does not yield is solved the other way round: its normal,
 // and what acts along it, change sign; a twist does not, for both its axis and
 // the bodies change places.  A gap of one part of the radius in NEAR is near.
 static const real NEAR = 25;                // tuned, 1
@@ -59,7 +59,7 @@ static void choose_lane(lane_source *q, const contact *c,
 {
     real sign = x->is_swapped ? -1 : 1, warm = f->warm * f->h / active_age(x, f);
     *q = (lane_source){ .a = x->a, .b = spare };
-    if (x->sides == TWO_SIDED) q->b = x->b;
+    if (x->sides != ONE_SIDED) q->b = x->b;
     q->normal = vec3_scale(sign, c->normal);
     q->per_near = NEAR / active_radius(x, f);
     q->round_a = x->is_swapped ? c->round_b : c->round_a;
@@ -113,8 +113,8 @@ static void transpose(block *k, const lane_source q[REAL4])
 
 //> passes-stand
 //>   Where do the bodies of a block stand now? Arms and gaps follow from it. Of
-//>   what lies, and of what touches a driven body, arms are taken elsewhere
-//>   (chapter 18).
+//>   what lies, and of what touches a driven body that turns, arms are taken
+//>   elsewhere (chapter 18).
 // The frames and the turns of four bodies.
 typedef struct {
     real4 center[3], axis[FOUR_AXES][3], turn[TURNS][3], inverse;
@@ -221,7 +221,8 @@ static void find_gaps(block *k, const raw_block *raw)
     }
 }
 
-// Rows are made elsewhere for what lies, and for what touches a driven body.
+// Rows are made elsewhere for what lies, and for what touches a driven body that
+// turns.
 static bool stand_elsewhere(const contact_solver *s, const block *k,
                             const solver_frame *f, raw_block *raw)
 {
@@ -456,7 +457,8 @@ static void fill_block(void *data, int number)
     int first, lanes = lanes_of(s, number, &first);
     const int *list = s->order + first;
     k->rubs = true;
-    k->two = s->active[list[0]].sides == TWO_SIDED;
+    k->two = s->active[list[0]].sides != ONE_SIDED;
+    k->is_driven = s->active[list[0]].sides == DRIVEN_SIDED;
     k->points = s->start[number + 1] - s->start[number];
     k->point = s->point + s->start[number];
     k->place = s->place + s->start[number];
@@ -586,7 +588,8 @@ ALWAYS_INLINE void scatter(motion *m, const int body[REAL4],
         real4_scatter2(to, k, from[2 * k], from[2 * k + 1]);
 }
 
-// How A and B move: a body that does not move takes no part.
+// How A and B move: a body that does not move takes no part, and a driven one is
+// read, but not written.
 typedef struct {
     real4 a[MOTIONS], b[MOTIONS];
 } sides4;
@@ -603,7 +606,7 @@ ALWAYS_INLINE void give_sides(const block *k, motion *m, const sides4 *s,
                               bool two)
 {
     scatter(m, k->a, s->a);
-    if (two) scatter(m, k->b, s->b);
+    if (two && !k->is_driven) scatter(m, k->b, s->b);
 }
 
 // How fast, or how far, the centres part along a direction.
@@ -727,7 +730,7 @@ typedef struct {
 ALWAYS_INLINE real4 push_points(block *k, const solver_pass *q, pushing *w,
                                 real4 on, bool two, bool has_impacts)
 {
-    const softness *soft = &q->soft[two ? TWO_SIDED : ONE_SIDED];
+    const softness *soft = &q->soft[q->sides];
     const real4 one = real4_all(1), zero = real4_all(0);
     const real4 per_h = real4_all(q->per_h), most = real4_all(-q->max_speed);
     const real4 rate = real4_all(soft->rate * soft->mass);
@@ -886,7 +889,7 @@ ALWAYS_INLINE void warm_block(block *k, const solver_pass *q, bool two)
         block *first = q->s->block + q->first;                        \
         block *x = first + item * FEW_BLOCKS;                         \
         block *end = first + task_last(item, q->count, FEW_BLOCKS);   \
-        if (q->sides == TWO_SIDED)                                    \
+        if (q->sides != ONE_SIDED)                                    \
             for (; x < end; x++) solve_two;                           \
         else                                                          \
             for (; x < end; x++) solve_one;                           \

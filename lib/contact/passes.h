@@ -39,8 +39,8 @@ typedef struct {
 } solver_body;
 
 // Where are the rows of a body made?  Where it stands when a substep ends;
-// halfway, if it touches a driven body; or, if it lies, where its contacts were
-// found.
+// halfway, if it touches a driven body that turns; or, if it lies, where its
+// contacts were found.
 enum { GOES_EXACTLY, GOES_BY_HALVES, LIES };
 
 // What the solver is told about a frame.
@@ -135,7 +135,8 @@ typedef struct {
     int   a[REAL4], b[REAL4];           // bodies; lanes left over: the spare
     int   contact[REAL4];               // -1: left over
     int   points;                       // of the contact that has most
-    bool  two;                          // both sides move
+    bool  two;                          // both sides move,
+    bool  is_driven;                    // but B is driven
     bool  rubs;                         // friction's impulses may not be 0
     bool  is_stale;                     // rows are those of an older substep
     bool  lies;                         // all that it has lies, with its gaps
@@ -153,21 +154,22 @@ typedef struct {
 //> passes-struct
 //>   So the contacts are *coloured*. Each takes the lowest colour that neither
 //>   of its bodies has yet, and any four of one colour make a block. What does
-//>   not move cannot be overwritten; contacts with it have colours of their
-//>   own, and come last.
-// Blocks of one colour share no body, so that they may be solved in any order,
-// or at once.  Contacts with what does not move have colours of their own, and
-// come last: what is immovable has the last word.
+//>   not move cannot be overwritten, nor what is driven, which no push moves;
+//>   contacts with these have colours of their own, and come last.
+// Blocks of one colour share no body that pushes move, so that they may be solved
+// in any order, or at once.  Contacts with what is driven, or does not move, have
+// colours of their own, and come last: what is immovable has the last word.
 enum { COLORS = 64 };
-enum { TWO_SIDED, ONE_SIDED, SIDES };
+enum { TWO_SIDED, DRIVEN_SIDED, ONE_SIDED, SIDES };
 
 typedef struct {
     long found;         // the contact's
-    int  a, b;          // bodies, or b < 0: a plane; ONE_SIDED: only a moves
+    int  a, b;          // bodies, or b < 0: a plane; ONE_SIDED: only a moves;
+                        // DRIVEN_SIDED: b is driven
     int  color;
     signed char count;  // points that may touch in this frame
     signed char sides;
-    bool is_swapped;    // A does not move: the block's A is the contact's B
+    bool is_swapped;    // A yields to no push: the block's A is the contact's B
     bool is_new;        // it, or one of its points, was not in the last frame
     bool is_deep;       // overlaps by more than a tenth of the smaller radius
     signed char point[CONTACT_POINTS];  // which of the contact's
@@ -182,16 +184,16 @@ typedef struct {
     real borne;         // 1/s^2, the force that was borne, over the same
 } active_contact;
 
-// The smaller radius of the bodies of x; of the one that moves, if it is alone.
+// The smaller radius of the bodies of x; of the one that yields, if it is alone.
 static inline real active_radius(const active_contact *x,
                                  const solver_frame *f)
 {
     real radius = f->body[x->a].radius;
-    return x->sides == ONE_SIDED ? radius
-                                 : real_min(radius, f->body[x->b].radius);
+    return x->sides == TWO_SIDED ? real_min(radius, f->body[x->b].radius)
+                                 : radius;
 }
 
-// s: the substep that its impulses are of.  (Its A moves.)
+// s: the substep that its impulses are of.  (Its A yields.)
 static inline real active_age(const active_contact *x, const solver_frame *f)
 {
     return f->age ? f->age[x->a] : f->h;

@@ -6,9 +6,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-static bool moves(const solver_frame *f, int body)
+static bool is_driven(const solver_frame *f, int body)
 {
-    return body >= 0 && f->body[body].basis.inverse_mass > 0;
+    return body >= 0 && f->body[body].is_driven;
+}
+
+// Does a push move it?
+static bool yields(const solver_frame *f, int body)
+{
+    return body >= 0 && f->body[body].basis.inverse_mass > 0
+        && !f->body[body].is_driven;
 }
 
 // N: the weight of the body that lies on the other, if they touch.  Notes which
@@ -18,8 +25,7 @@ static real find_above(active_contact *x, const contact *c,
 {
     real up = vec3_dot(c->normal, f->gravity);      // > 0: B lies on A
     int above = up > 0 ? c->b : c->a;
-    if (!(x->load > 0) || !moves(f, above) || f->body[above].is_driven)
-        return 0;
+    if (!(x->load > 0) || !yields(f, above)) return 0;
     x->above = above;
     x->lift = x->load * fabs(up);
     return fabs(up) / f->body[above].basis.inverse_mass;
@@ -41,19 +47,20 @@ static void activate(active_contact *x, const contact *c, const solver_frame *f,
     real gap[CONTACT_POINTS];
     const rigid_frame *b = c->b < 0 ? NULL : &f->body[c->b].frame;
     real height = c->b < 0 ? f->plane[-1 - c->b].offset : 0;
-    bool moves_a = moves(f, c->a), moves_b = moves(f, c->b);
+    bool yields_a = yields(f, c->a), yields_b = yields(f, c->b);
     x->found = c->found;
-    x->a = moves_a ? c->a : c->b;
-    x->b = moves_a ? c->b : c->a;
-    x->is_swapped = !moves_a;
-    x->sides = moves_a && moves_b ? TWO_SIDED : ONE_SIDED;
+    x->a = yields_a ? c->a : c->b;
+    x->b = yields_a ? c->b : c->a;
+    x->is_swapped = !yields_a;
+    x->sides = yields_a && yields_b ? TWO_SIDED
+             : is_driven(f, x->b)   ? DRIVEN_SIDED : ONE_SIDED;
     x->load = contact_load(c);
     x->least = HUGE_VAL;
     x->count = 0;
     x->weight = x->borne = x->lift = 0;
     x->above = -1;
     x->is_deep = false;
-    if (!moves_a && !moves_b) return;
+    if (!yields_a && !yields_b) return;
     contact_gaps(c, &f->body[c->a].frame, b, height, gap);
     for (int k = 0; k < c->count; k++) {
         x->least = real_min(gap[k], x->least);
@@ -281,14 +288,14 @@ bool solver_prepare(contact_solver *s, const solver_frame *f,
 
 //> solver-pass
 // Springs of a contact as Catto has them: a1, a2, a3 of an implicit step of h.
-// Against what does not move they are twice as stiff and half as damped.  None turns
+// Against what does not yield they are twice as stiff and half as damped.  None turns
 // by more than this in a substep.
 static const real EIGHTH = 0.125;           // tuned, turns
 
 static softness softness_of(const solver_frame *f, int sides)
 {
     const real two_pi = 6.283185307179586;
-    real per_side = sides == ONE_SIDED ? 2 : 1;
+    real per_side = sides == TWO_SIDED ? 1 : 2;
     real omega = two_pi * per_side * real_min(f->hertz, EIGHTH / f->h);
     real zeta = f->damping / per_side;
     real a1 = 2 * zeta + f->h * omega, a2 = f->h * omega * a1;

@@ -160,6 +160,18 @@ static bool moves(const solver_frame *f, int b)
     return basis_of(f, b)->inverse_mass > 0;
 }
 
+// What is driven goes its way, whatever pulls it.
+static bool yields(const solver_frame *f, int b)
+{
+    return moves(f, b) && !f->body[b].is_driven;
+}
+
+// The one of its bodies that yields.
+static int yielding(const solver_frame *f, const joint *j)
+{
+    return yields(f, j->a) ? j->a : j->b;
+}
+
 static const rigid_frame *frame_of(const linkage_pass *q, int b)
 {
     return b < 0 ? &JOINT_WORLD : &q->f->body[b].frame;
@@ -407,7 +419,7 @@ static void find_inverses(linkage *l, const linkage_pass *q)
 static real kick_of(const linkage_pass *q, const joint *j)
 {
     const solver_frame *f = q->f;
-    return f->age ? (f->age[moves(f, j->a) ? j->a : j->b] + f->h) / 2 : f->h;
+    return f->age ? (f->age[yielding(f, j)] + f->h) / 2 : f->h;
 }
 
 static void begin_drives(linkage *l, const linkage_pass *q)
@@ -567,16 +579,10 @@ static void add_branch(linkage *l, int b, int k)
     l->body[b].one ^= k;    // when one is left, it stands here
 }
 
-// What is driven goes its way, whatever pulls it.
-static bool yields(const solver_frame *f, int b)
-{
-    return moves(f, b) && !f->body[b].is_driven;
-}
-
-// Is one of its bodies, of which one moves, among those that are solved now?
+// Is one of its bodies, of which one yields, among those that are solved now?
 static bool is_in(const linkage_pass *q, const joint *j)
 {
-    return !q->rung || q->rung[moves(q->f, j->a) ? j->a : j->b] == q->of;
+    return !q->rung || q->rung[yielding(q->f, j)] == q->of;
 }
 
 // A joint that would close a ring stands alone.  One of which neither end yields
@@ -1048,7 +1054,7 @@ static void warm(linkage *l, const linkage_pass *q)
     const solver_frame *f = q->f;
     for (int k = 0; k < l->count; k++) {
         joint *j = &l->joint[k];
-        int b = moves(f, j->a) ? j->a : j->b;
+        int b = yielding(f, j);
         bool is_pin = j->kind == JOINT_PIN;
         if (is_pin || l->role[k] != JOINT_IDLE) l->rows[k].pace = 0;
         if (l->role[k] == JOINT_IDLE) continue;

@@ -5,16 +5,16 @@
 
 #include <stddef.h>
 
-// What moves freely has a new frame in every substep, and its rows are made
-// there.  What touches a driven body goes by halves: its rows are made in the
-// middle, whose velocities they have.  What lies has its rows where its contacts
-// were found: it is displaced, until it leaves the margin that they have.  (Not what
-// has a weight of its own: where a ball's is off its middle, its arm changes with
-// every turn, and with it the period at which it rocks.)
+// What moves freely, or is driven, has a new frame in every substep, and its rows
+// are made there.  What touches a driven body that turns goes by halves: its rows
+// are made in the middle, whose velocities they have.  What lies has its rows where
+// its contacts were found: it is displaced, until it leaves the margin that they
+// have.  (Not what has a weight of its own: where a ball's is off its middle, its
+// arm changes with every turn, and with it the period at which it rocks.)
 static bool lies(const world *w, int b)
 {
     const rigid_tables *t = &w->rigid;
-    return t->moves[b] && !linkage_has(&w->joints, b)
+    return t->moves[b] && !t->now[b].is_driven && !linkage_has(&w->joints, b)
         && vec3_length_squared(w->options.gravity) > 0
         && t->ahead[b].reach <= w->options.stay * t->now[b].radius
         && !w->body[b].is_weighed;
@@ -30,10 +30,16 @@ static void lie(world *w, int b)
     t->lying[b] = basis_find(w->body[b].rigid, &t->middle[b]);
 }
 
-static void touch_driven(world *w, int a, int b)
+static bool turns_driven(const world *w, int b)
+{
+    return w->rigid.now[b].is_driven
+        && vec3_length_squared(w->rigid.drive[b].spin) > 0;
+}
+
+static void touch_turning(world *w, int a, int b)
 {
     const solver_body *now = w->rigid.now;
-    if (b < 0 || !(now[a].is_driven || now[b].is_driven)) return;
+    if (b < 0 || !(turns_driven(w, a) || turns_driven(w, b))) return;
     int side[2] = { a, b };
     for (int i = 0; i < 2; i++) {
         if (!w->rigid.moves[side[i]]) continue;
@@ -60,7 +66,7 @@ void advance_begin(world *w)
         if (x->b >= 0) t->touches[x->b] = t->moves[x->b];
         lie(w, x->a);
         lie(w, x->b);
-        if (w->kinematic_bodies > 0) touch_driven(w, x->a, x->b);
+        if (w->kinematic_bodies > 0) touch_turning(w, x->a, x->b);
     }
 }
 //<

@@ -8,7 +8,7 @@
 
 // How far a body may get in so many seconds: as fast as it is now, with what
 // gravity adds and what else pushes it, and a hundredth of its radius for what
-// impacts add.  However far it turns, no vertex gets further than across; and a
+// impacts add.  Nothing but its velocity moves what is driven.  However far it turns, no vertex gets further than across; and a
 // ball gets nowhere by turning.
 static const real HUNDREDTH = 100;          // tuned, per radius
 
@@ -38,7 +38,8 @@ static prediction predict(const world *w, int b, real dt)
     vec3 spin = motion_rotation(&now->basis, u);
     real beside = vec3_length(body_gravity(w, b)) * dt * dt / 2
                 + width_of(w, b) / HUNDREDTH;
-    if (w->rigid.is_loaded) {
+    if (now->is_driven) beside = 0;
+    if (w->rigid.is_loaded && !now->is_driven) {
         motion more = world_load(w, b, dt);
         beside += dt * motion_fastest(&now->basis, &more, now->radius);
     }

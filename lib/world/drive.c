@@ -1,5 +1,5 @@
 //> drive
-//>   A kinematic body goes its way by the clock, and what contacts add to its
+//>   A kinematic body goes its way by the clock, and what joints add to its
 //>   motion is taken back.
 #include "drive.h"
 
@@ -41,6 +41,12 @@ void drive_go(world *w, int b, real seconds)
     now->frame = motion_frame(began, &basis, &way);
     now->basis = basis_find(w->body[b].rigid, &now->frame);
     drive_begin(w, b);
+}
+
+void drive_back(world *w, int b)
+{
+    drive_go(w, b, 0);
+    w->rigid.middle[b] = w->rigid.now[b].frame;
 }
 
 real drive_fastest(const world *w)

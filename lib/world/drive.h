@@ -2,8 +2,8 @@
 // drive.h - kinematic bodies in a step: a program moves them, and nothing else.
 //
 // Paper: not asked.  Book: chapter 18.
-// One that moves is called driven here.  To contacts and joints it is a body of
-// HEAVIER times its mass, so none of them needs to know of it.
+// One that moves is called driven here.  Contacts read how it moves, and write nothing
+// to it.  To joints it is a body of HEAVIER times its mass, so they need not know.
 // Units: metres, seconds.
 
 #ifndef TUMBLE_DRIVE_H
@@ -17,12 +17,15 @@
 // that the program gave it.
 void drive_begin(world *w, int b);
 
-// All that are driven have that velocity still: what contacts did is taken back.
+// All that are driven have that velocity still: what joints did is taken back.
 void drive_hold(world *w);
 
 // Body b, which is driven, stands where it does so long (s) after the substeps
 // began.
 void drive_go(world *w, int b, real seconds);
+
+// It stands where it did when they began.
+void drive_back(world *w, int b);
 
 // m/s, of any point of a driven body, at most.
 real drive_fastest(const world *w);

@@ -29,9 +29,16 @@ static bool is_awake_cloth(const world *w, int b)
     return body_is_soft(&w->body[b]) && body_moves(w, b);
 }
 
+static bool is_driven(const world *w, int b)
+{
+    return b >= 0 && w->rigid.moves[b] && w->rigid.now[b].is_driven;
+}
+
+// Does it move, and yield to others?
 static bool goes(const world *w, int b)
 {
-    return b >= 0 && (w->rigid.moves[b] || is_awake_cloth(w, b));
+    return b >= 0 && (w->rigid.moves[b] || is_awake_cloth(w, b))
+        && !is_driven(w, b);
 }
 
 // A body, with all pieces that ride on it.
@@ -56,17 +63,16 @@ static void unite_softs(world *w)
     }
     for (int k = 0; k < t->awakes && first >= 0; k++) {
         int b = t->awake[k];
-        if (t->moves[b] && may_meet_soft(w, b)) unite(t, first, b);
+        if (t->moves[b] && goes(w, b) && may_meet_soft(w, b)) unite(t, first, b);
     }
     if (first >= 0) t->island[island_root(t->island, first)].is_soft = true;
 }
 
-// What is driven belongs to the island that it touches.
 static void find_islands(world *w)
 {
     rigid_tables *t = &w->rigid;
     for (int k = 0; k < t->awakes; k++)
-        t->island[t->awake[k]] = (island){ .parent = t->awake[k],
+        t->island[t->awake[k]] = (island){ .parent = t->awake[k], .ground = -1,
                                            .is_calm = true };
     for (int k = 0; k < t->solver.contacts; k++) {
         const active_contact *x = &t->solver.active[k];
@@ -81,27 +87,72 @@ static void find_islands(world *w)
 }
 //<
 
+//> rungs-ground
+//>   What rides in a train is as calm, or as fast, as it is beside the train.
+// Body b, of island i, touches `on`, or is joined to it: a driven body, or what is at
+// rest.
+static void stand_on(const world *w, island *i, int on)
+{
+    if (!is_driven(w, on)) i->rests = true;
+    else if (i->ground < 0) i->ground = on;
+}
+
+static void find_grounds(world *w)
+{
+    rigid_tables *t = &w->rigid;
+    for (int k = 0; k < t->solver.contacts; k++) {
+        const active_contact *x = &t->solver.active[k];
+        if (x->count > 0 && x->sides != TWO_SIDED)
+            stand_on(w, &t->island[island_root(t->island, x->a)], x->b);
+    }
+    for (int k = 0; k < w->joints.count; k++) {
+        const joint *j = &w->joints.joint[k];
+        int a = goes(w, j->a) ? j->a : j->b, b = j->a + j->b - a;
+        if (j->kind != JOINT_NONE && !j->is_broken && goes(w, a) && !goes(w, b))
+            stand_on(w, &t->island[island_root(t->island, a)], b);
+    }
+}
+
+// m: how far the centre of body b goes in this frame, as it is seen from the driven
+// body `on`; -1: from what is at rest.
+static vec3 way_beside(const world *w, int b, int on)
+{
+    const rigid_tables *t = &w->rigid;
+    vec3 way = t->ahead[b].way;
+    if (on < 0) return way;
+    vec3 arm = vec3_sub(t->now[b].frame.center, t->now[on].frame.center);
+    vec3 there = vec3_add(t->ahead[on].way, vec3_cross(t->ahead[on].spin, arm));
+    return vec3_sub(way, there);
+}
+//<
+
 //> rungs-demands
 //>   Each island is asked how calm it is, and what its contacts bear; its choice
 //>   is that of all its bodies.
 // What flies does not sag.  (Velocities are half a substep old: see handle-where.)
 static const real SIXTEENTH = 16;           // tuned, per radius
 
-static bool is_calm(const world *w, int b)
+static bool is_calm(const world *w, int b, int on)
 {
     const rigid_tables *t = &w->rigid;
     real since = w->frame * rigid_since(w, b);
-    vec3 way = vec3_add_scaled(t->ahead[b].way, since, body_gravity(w, b));
+    vec3 way = vec3_add_scaled(way_beside(w, b, on), since, body_gravity(w, b));
     real far = t->now[b].radius / SIXTEENTH;
     return vec3_length_squared(way) <= far * far;
 }
 
 // By its inner radius in a whole frame.
-static bool is_fast(const world *w, int b)
+static bool is_fast(const world *w, int b, int on)
 {
     const rigid_tables *t = &w->rigid;
-    real way = vec3_length(t->ahead[b].way) * w->options.dt / w->frame;
+    real way = vec3_length(way_beside(w, b, on)) * w->options.dt / w->frame;
     return t->moves[b] && way > t->body[b].inner;
+}
+
+static void judge(const world *w, island *i, int b, int on)
+{
+    i->is_calm &= is_calm(w, b, on);
+    i->is_fast |= is_fast(w, b, on);
 }
 
 // Does what is driven turn its far end, in a whole frame, by more than the size of
@@ -172,8 +223,8 @@ static void find_demands(world *w)
     vec3 down = vec3_unit(w->options.gravity);
     for (int k = 0; k < t->awakes; k++) {
         int b = t->awake[k], of = island_root(t->island, b);
-        t->island[of].is_calm &= is_calm(w, b);
-        t->island[of].is_fast |= is_fast(w, b);
+        const island *i = &t->island[of];
+        judge(w, &t->island[of], b, i->rests ? -1 : i->ground);
         if (t->moves[b]) add_layer(t, b, down, &t->island[of]);
         if (b != of) add_choice(t, b, &t->choice[of]);
     }
@@ -185,9 +236,10 @@ static void find_demands(world *w)
         i->weight = real_max(i->weight, weight_on(t, x));
         i->squares += x->borne * x->borne;
         i->bears += x->borne > 0;
-        if (w->kinematic_bodies > 0) i->is_fast |= rungs_sweeps(w, x->a, x->b);
+        if (x->sides == DRIVEN_SIDED) judge(w, i, x->a, x->b);
+        if (x->sides == DRIVEN_SIDED) i->is_fast |= rungs_sweeps(w, x->a, x->b);
         i->turn = real_max(i->turn, turn_of(w, x->a));
-        if (x->sides == TWO_SIDED)
+        if (x->sides != ONE_SIDED)
             i->turn = real_max(i->turn, turn_of(w, x->b));
     }
     for (int k = 0; k < w->joints.count; k++) {
@@ -264,7 +316,7 @@ static rung *of_body(world *w, int b, int highest)
 // are put there.
 static void begin_at(rigid_tables *t)
 {
-    int first = 0, first_contact = 0;
+    int first = t->drivens, first_contact = 0;
     for (rung *r = t->rungs; r < t->rungs + RUNGS; r++) {
         int bodies = r->end, contacts = r->end_contact;
         r->first = r->end = first;
@@ -282,6 +334,15 @@ static void swap_contacts(rigid_tables *t, int a, int b)
     SWAP(int, t->solver.order[a], t->solver.order[b]);
 }
 
+// What is driven goes with every rung: it stands before the bodies of the first.
+static void put_driven(world *w)
+{
+    rigid_tables *t = &w->rigid;
+    t->drivens = 0;
+    for (int k = 0; k < t->awakes && w->kinematic_bodies > 0; k++)
+        if (is_driven(w, t->awake[k])) t->by_rung[t->drivens++] = t->awake[k];
+}
+
 // Bodies and contacts keep their order on a rung.  What does not move is nowhere
 // in the way: it goes with the highest.
 static void sort_by_rung(world *w, int highest)
@@ -289,17 +350,21 @@ static void sort_by_rung(world *w, int highest)
     rigid_tables *t = &w->rigid;
     contact_solver *s = &t->solver;
     if (highest == 0) {
+        t->drivens = 0;
         t->rungs->end = t->awakes;
         t->rungs->end_contact = s->contacts;
         memcpy(t->by_rung, t->awake, (size_t)t->awakes * sizeof *t->awake);
         return;
     }
-    for (int k = 0; k < t->awakes; k++) of_body(w, t->awake[k], highest)->end++;
+    put_driven(w);
+    for (int k = 0; k < t->awakes; k++)
+        if (!is_driven(w, t->awake[k])) of_body(w, t->awake[k], highest)->end++;
     for (int k = 0; k < s->contacts; k++)
         of_body(w, s->active[k].a, highest)->end_contact++;
     begin_at(t);
     for (int k = 0; k < t->awakes; k++)
-        t->by_rung[of_body(w, t->awake[k], highest)->end++] = t->awake[k];
+        if (!is_driven(w, t->awake[k]))
+            t->by_rung[of_body(w, t->awake[k], highest)->end++] = t->awake[k];
     for (int k = 0; k < s->contacts; k++)
         s->order[k] = of_body(w, s->active[k].a, highest)->end_contact++;
     for (int k = 0; k < s->contacts; k++)
@@ -326,6 +391,7 @@ static int close_up(world *w)
 int rungs_find(world *w)
 {
     find_islands(w);
+    if (w->kinematic_bodies > 0) find_grounds(w);
     find_demands(w);
     choose_all(w);
     sort_by_rung(w, take_rungs(w));

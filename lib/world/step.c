@@ -80,15 +80,27 @@ static void go(world *w, solver_frame f, real *since)
     }
 }
 
+// What is driven stands before the bodies of each rung, and goes its way with each
+// again; those of the rung before have gone theirs.
+static void take_rung(rigid_tables *t, int k)
+{
+    const rung *r = &t->rungs[k];
+    int n = t->drivens, *list = t->by_rung + r->first - n;
+    if (k > 0)
+        memmove(list, t->by_rung + r[-1].first - n, (size_t)n * sizeof *list);
+    t->on_rung = (char)k;
+    t->awake = list;
+    t->awakes = r->end - r->first + n;
+}
+
 // The bodies of a rung, as if there were no others.
 static void solve_rung(world *w, int k, real *since)
 {
     rigid_tables *t = &w->rigid;
     const rung *r = &t->rungs[k];
     int *awake = t->awake, awakes = t->awakes;
-    t->on_rung = (char)k;
-    t->awake = t->by_rung + r->first;
-    t->awakes = r->end - r->first;
+    take_rung(t, k);
+    for (int i = 0; i < t->drivens && k > 0; i++) drive_back(w, t->awake[i]);
     solver_frame f = prepare(w, r);
     if (t->listens) hear_impacts(w, &f);
     lap(w, PHASE_PREPARE, since);
@@ -541,7 +553,7 @@ static void fall(world *w, real h)
 {
     for (int k = 0; k < w->rigid.awakes; k++) {
         int b = w->rigid.awake[k];
-        if (!w->rigid.moves[b]) continue;
+        if (!w->rigid.moves[b] || w->rigid.now[b].is_driven) continue;
         vec3 g = vec3_scale((w->rigid.age[b] + h) / 2, body_gravity(w, b));
         real *u = w->rigid.velocity[b].of;
         u[0] += g.x;
@@ -572,7 +584,7 @@ static void face_balls(world *w, const solver_frame *f)
         active_contact *x = &s->active[k];
         contact *c = t->cache.active[k];
         bool moves = t->fresh[x->a]
-                  || (x->sides == TWO_SIDED && t->fresh[x->b]);
+                  || (x->sides != ONE_SIDED && t->fresh[x->b]);
         x->is_new = x->count == 1 && moves
                  && restitution_face(c, f, t->velocity, t->moved);
         some |= x->is_new;
@@ -603,7 +615,6 @@ static void substep(world *w, const solver_frame *f, real *since)
     const rung *r = &t->rungs[(int)t->on_rung];
     linkage_pass joints = join_pass(w, f);
     fall(w, f->h);
-    drive_hold(w);
     ledger_halfway(w, f->h / 2);
     ledger_book(w, LEDGER_INTEGRATE);
     bounce(w, f);
@@ -612,7 +623,6 @@ static void substep(world *w, const solver_frame *f, real *since)
     if (r->hangs) linkage_push(&w->joints, &joints);
     solver_push(&t->solver, f, t->velocity, t->moved);
     if (r->hangs) linkage_push(&w->joints, &joints);
-    drive_hold(w);
     advance_bodies(w, f->h);
     renew(w, *f);
     ledger_halfway(w, -f->h / 2);

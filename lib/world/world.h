@@ -159,9 +159,12 @@ typedef struct {
 } substep_choice;
 
 // What pushes or is joined to another, and what asks it for substeps.  An island
-// is named by one of its bodies.
+// is named by one of its bodies.  A driven body is in none: nothing goes on through
+// it, from one island to the next.
 typedef struct {
     int  parent;        // union-find: a body of the same island
+    int  ground;        // the driven body that it touches; -1: none
+    bool rests;         // it touches something at rest, or is joined to it
     real lift;          // N m/s, of all contacts that bear this one body
     real weight;        // 1/s^2, the largest of its contacts, see solver.h, and
     real squares;       // the sum of the squares of what they bear,
@@ -238,7 +241,8 @@ typedef struct {
     substep_choice *choice; // [bodies] of the island that it was in last
     island      *island;    // [bodies]
     char        *rung;      // [bodies]
-    int         *by_rung;   // [awakes] what is awake, one rung after the other
+    int         *by_rung;   // [awakes] what is awake, one rung after the other,
+    int          drivens;   // and before these what is driven
     rung         rungs[RUNGS];
     char         on_rung;   // the one that goes now
     pair_list      pairs;

@@ -1,5 +1,5 @@
-// check_islands.c - does each island take its own substeps, and nothing else?
-// Book: chapter 18.
+// check_islands.c - does each island take its own substeps, and nothing else?  And
+// does it matter how fast it moves with all that it touches?  Book: chapter 18.
 //
 // Through tumble.h: a heavy box on a light one asks for ten times as many
 // substeps as a box that falls beside them.
@@ -24,6 +24,14 @@ static tumble_body add_cube(tumble_world *w, double mass, double x, double y)
 {
     tumble_shape s = tumble_shape_box(w, tumble_v(1, 1, 1), mass);
     return tumble_body_add(w, s, tumble_body_at(x, y, 0));
+}
+
+static tumble_body add_spinning_cube(tumble_world *w)
+{
+    tumble_body_options o = tumble_body_at(0, 2, 0);
+    o.velocity = tumble_v(1, 0, 0.3);
+    o.spin = tumble_v(2, 1, 3);
+    return tumble_body_add(w, tumble_shape_box(w, tumble_v(1, 1, 1), 1), o);
 }
 
 // 1,000 kg on 1 kg.
@@ -53,13 +61,7 @@ START_TEST(box_beside_a_hard_pair_goes_as_it_goes_alone)
     tumble_world *w[2] = { with_floor(), with_floor() };
     tumble_body box[2];
     int most = 0;
-    for (int i = 0; i < 2; i++) {
-        tumble_body_options o = tumble_body_at(0, 2, 0);
-        o.velocity = tumble_v(1, 0, 0.3);
-        o.spin = tumble_v(2, 1, 3);
-        box[i] = tumble_body_add(w[i], tumble_shape_box(w[i], tumble_v(1, 1, 1),
-                                                        1), o);
-    }
+    for (int i = 0; i < 2; i++) box[i] = add_spinning_cube(w[i]);
     add_hard_pair(w[1], NULL);
     for (int k = 0; k < 120; k++) {
         for (int i = 0; i < 2; i++) tumble_world_step(w[i]);
@@ -276,6 +278,93 @@ START_TEST(box_beside_a_cloth_goes_as_it_goes_alone)
 }
 END_TEST
 
+// --- What is driven ----------------------------------------------------------
+static tumble_body add_platform(tumble_world *w, tumble_vec3 velocity)
+{
+    tumble_body_options o = tumble_body_at(0, -0.5, 0);
+    o.kind = TUMBLE_KINEMATIC;
+    o.velocity = velocity;
+    return tumble_body_add(w, tumble_shape_box(w, tumble_v(60, 1, 60), 1), o);
+}
+
+// Both stand on one platform.
+// Rejects: islands that are one because something driven touches both; a platform
+// that goes on with the substeps of one of them only, or from where another island
+// has left it.
+START_TEST(box_on_the_platform_of_a_hard_pair_goes_as_it_goes_alone)
+{
+    // An impact asks for as many substeps as a hard pair, and shares them.
+    enum { BOX = 1, PAIR = 2, BOTH = 3, LANDS = 25 };
+    tumble_world *w[BOTH + 1];
+    tumble_body box[BOTH + 1], light[BOTH + 1];
+    int most = 0;
+    for (int i = BOX; i <= BOTH; i++) {
+        w[i] = tumble_world_make(NULL);
+        add_platform(w[i], tumble_v(0.5, 0.25, 0));
+        if (i & BOX)  box[i] = add_spinning_cube(w[i]);
+        if (i & PAIR) add_hard_pair(w[i], &light[i]);
+    }
+    for (int k = 0; k < 120; k++) {
+        for (int i = BOX; i <= BOTH; i++) tumble_world_step(w[i]);
+        tumble_pose a = tumble_body_pose(w[BOX], box[BOX]);
+        tumble_pose b = tumble_body_pose(w[BOTH], box[BOTH]);
+        ck_assert_msg(memcmp(&a, &b, sizeof a) == 0, "frame %d", k);
+        a = tumble_body_pose(w[PAIR], light[PAIR]);
+        b = tumble_body_pose(w[BOTH], light[BOTH]);
+        ck_assert_msg(k >= LANDS || memcmp(&a, &b, sizeof a) == 0, "frame %d", k);
+        int substeps = tumble_world_last_step(w[BOTH]).substeps;
+        most = substeps > most ? substeps : most;
+    }
+    ck_assert_int_gt(most, 20);
+    for (int i = BOX; i <= BOTH; i++) tumble_world_free(w[i]);
+}
+END_TEST
+
+enum { RIDERS = 3 };
+
+// A box that slides, a ball that rolls and slides, and a box that falls on a corner.
+static void ride(tumble_vec3 going, int frames, tumble_vec3 out[RIDERS])
+{
+    tumble_options bounces = tumble_options_default();
+    bounces.restitution = 0.25;
+    tumble_world *w = tumble_world_make(&bounces);
+    tumble_body rider[RIDERS];
+    add_platform(w, going);
+    for (int i = 0; i < RIDERS; i++) {
+        tumble_body_options o = tumble_body_at(2 * i, 0.25, 3 * i);
+        o.velocity = tumble_v(going.x + 4, going.y, going.z + 0.5);
+        tumble_shape s = i == 1 ? tumble_shape_sphere(w, 0.25, 10)
+                                : tumble_shape_box(w, tumble_v(1, 0.5, 1), 10);
+        if (i == 2) o.pose.position.y = 1;
+        if (i == 2) o.pose.rotation = tumble_quat_turn(tumble_v(1, 2, 3), 1);
+        rider[i] = tumble_body_add(w, s, o);
+    }
+    for (int k = 0; k < frames; k++) tumble_world_step(w);
+    for (int i = 0; i < RIDERS; i++) {
+        tumble_vec3 x = tumble_body_position(w, rider[i]);
+        double time = frames / 60.0;
+        out[i] = tumble_v(x.x - time * going.x, x.y - time * going.y,
+                          x.z - time * going.z);
+    }
+    tumble_world_free(w);
+}
+
+// Seen from a train all goes as it does at the station, to rounding, while it slides.
+// Rejects: a driven body that is one of two that make way, or that lies.
+START_TEST(what_slides_in_a_train_slides_as_at_the_station)
+{
+    tumble_vec3 still[RIDERS], going[RIDERS];
+    enum { FRAMES = 25 };
+    ride(tumble_v(0, 0, 0), FRAMES, still);
+    for (double speed = 0.01; speed < 200; speed *= 20) {
+        ride(tumble_v(speed, speed / 2, -speed), FRAMES, going);
+        for (int i = 0; i < RIDERS; i++)
+            ck_assert_msg(apart(still[i], going[i]) < 1e-9, "%g m/s: %g m", speed,
+                          apart(still[i], going[i]));
+    }
+}
+END_TEST
+
 int main(void)
 {
     const TTest *const tests[] = {
@@ -287,6 +376,8 @@ int main(void)
         saved_world_goes_on_with_the_same_bits,
         island_lets_go_after_half_a_second,
         box_beside_a_cloth_goes_as_it_goes_alone,
+        box_on_the_platform_of_a_hard_pair_goes_as_it_goes_alone,
+        what_slides_in_a_train_slides_as_at_the_station,
         NULL
     };
     return suite_run((suite){ .name = "islands", .tests = tests, .seconds = 20 });

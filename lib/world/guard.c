@@ -3,6 +3,7 @@
 //>   forces may add.
 #include "guard.h"
 #include "actuator.h"
+#include "advance.h"
 #include "drive.h"
 #include "handle.h"
 #include "rungs.h"
@@ -145,6 +146,8 @@ static void report_lost(world *w, int lost)
         if (!w->rigid.moves[b] || !(i->is_lost || is_wild)) continue;
         i->is_lost = is_any = true;
         lost += is_wild && w->rigid.touches[b];
+        if (is_wild && w->rigid.touches[b] && !w->rigid.now[b].is_driven)
+            advance_stop(w, b);
         sleep_forget(&w->sleep, b);
     }
     if (is_any) forget_impulses(w);

@@ -90,6 +90,12 @@ static int free_place(const linkage *l)
     return k;
 }
 
+// Its body is joined in the next frame, from its begin.
+static void will_be_seen(linkage *l, int b)
+{
+    if (b >= 0) l->body[b].seen = l->frames + 1;
+}
+
 status linkage_add(linkage *l, const joint *j, int *number)
 {
     if (!make_room(l, j)) return status_out_of_memory();
@@ -100,6 +106,8 @@ status linkage_add(linkage *l, const joint *j, int *number)
     l->joint[k] = *j;
     l->rows[k] = (joint_rows){ .count = 0 };
     l->role[k] = JOINT_IDLE;
+    will_be_seen(l, j->a);
+    will_be_seen(l, j->b);
     if (j->kind == JOINT_PIN) linkage_count_pins(l);
     return status_ok();
 }

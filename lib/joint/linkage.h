@@ -36,7 +36,7 @@ typedef struct {
     bool is_limited;        // some joint has a limit
     int  branches, one;     // not yet followed; the last, if there is one
     bool is_done;
-    long seen;              // the last frame in which it was joined
+    long seen;              // the last frame in which it is joined
 } linkage_body;
 
 // From the tips of a tree to its root: a body, -1 if it cannot move, and the
@@ -95,7 +95,8 @@ void linkage_remove(linkage *l, int number);
 // Was body b joined to something when this frame began?
 static inline bool linkage_has(const linkage *l, int b)
 {
-    return b < l->bodies && l->frames > 0 && l->body[b].seen == l->frames;
+    return b < l->bodies && l->body[b].seen > 0
+        && l->body[b].seen >= l->frames;
 }
 
 // Sorts the pairs of bodies that are joined, and must not touch.  Until there are

@@ -243,6 +243,14 @@ static bool is_lost(const world *w, int b)
     return !(energy < HUGE_VAL) || !stands;
 }
 
+void advance_stop(world *w, int b)
+{
+    rigid_tables *t = &w->rigid;
+    t->now[b].frame = t->began[b];
+    t->now[b].basis = basis_find(w->body[b].rigid, &t->began[b]);
+    t->velocity[b] = t->moved[b] = (motion){ { 0 } };
+}
+
 int advance_end(world *w)
 {
     rigid_tables *t = &w->rigid;
@@ -253,9 +261,7 @@ int advance_end(world *w)
         displace(w, b);
         motion_straighten(w->body[b].rigid, &t->now[b].frame);
         if (!is_lost(w, b)) continue;
-        t->now[b].frame = t->began[b];
-        t->now[b].basis = basis_find(w->body[b].rigid, &t->began[b]);
-        t->velocity[b] = t->moved[b] = (motion){ { 0 } };
+        advance_stop(w, b);
         t->island[t->island[b].parent].is_lost = true;
         lost++;
     }

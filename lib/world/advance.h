@@ -35,6 +35,9 @@ real advance_turned(const world *w, int b, const rigid_frame *was);
 void advance_mark(world *w);
 void advance_back(world *w);
 
+// Body b stands again where the substeps began, at rest.
+void advance_stop(world *w, int b);
+
 // The substeps have ended: no body is displaced any more.  One whose numbers are
 // lost stands where it did when they began, at rest; returns how many.
 int advance_end(world *w);

@@ -3,6 +3,7 @@
 //>   forces may add.
 #include "guard.h"
 #include "actuator.h"
+#include "advance.h"
 #include "drive.h"
 #include "handle.h"
 #include "rungs.h"
@@ -134,7 +135,9 @@ static void forget_impulses(world *w)
     }
 }
 
-// And what was stopped does not rest: it must not fall asleep in mid-air.
+// A wild island stands again where the frame began: where its substeps have thrown
+// it, its joints would be far apart.  And what was stopped does not rest: it must
+// not fall asleep in mid-air.
 static void report_lost(world *w, int lost)
 {
     bool is_any = lost > 0;
@@ -144,7 +147,9 @@ static void report_lost(world *w, int lost)
         bool is_wild = i->energy > WILD * i->most;
         if (!w->rigid.moves[b] || !(i->is_lost || is_wild)) continue;
         i->is_lost = is_any = true;
-        lost += is_wild && w->rigid.touches[b];
+        bool is_thrown = is_wild && w->rigid.touches[b];
+        lost += is_thrown;
+        if (is_thrown && !w->rigid.now[b].is_driven) advance_stop(w, b);
         sleep_forget(&w->sleep, b);
     }
     if (is_any) forget_impulses(w);

@@ -199,8 +199,9 @@ tumble_world *tumble_world_load(const void *from, size_t size);
 // The same as tumble_world_load, put in the place of a world that is there: w
 // is a pointer to what was saved, and keeps its threads and its choice of
 // contacts.  Ids that the saved world gave are good, those that w gave since
-// are gone.  Costs as much memory and time as a load.  Fails, changing nothing,
-// as that does.
+// are gone.  Costs as much memory and time as a load, and keeps what w was in: the
+// next one takes it again, and asks for no more memory than it is short of, as a
+// rule for none.  Fails, changing nothing, as a load does.
 bool tumble_world_restore(tumble_world *w, const void *from, size_t size);
 
 // Steps run as options.run and context say, from now on.

@@ -252,6 +252,13 @@ tumble_shape tumble_shape_sphere(tumble_world *w, double radius, double mass);
 tumble_shape tumble_shape_capsule(tumble_world *w, double length, double radius,
                                   double mass);
 
+// A cylinder of this length along y: it rolls on its side, and on the rim of an end.
+// Rope, cloth and questions meet a prism of 32 sides, whose corners lie on the rims.
+// Fails if the radius is less than a ten-thousandth of the length, or the other way
+// round.
+tumble_shape tumble_shape_cylinder(tumble_world *w, double length,
+                                   double radius, double mass);
+
 // The convex hull of n points.  Fails if they are fewer than four, flat, or not
 // finite.
 tumble_shape tumble_shape_hull(tumble_world *w, const tumble_vec3 *point, int n,

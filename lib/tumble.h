@@ -253,7 +253,8 @@ tumble_shape tumble_shape_capsule(tumble_world *w, double length, double radius,
                                   double mass);
 
 // A cylinder of this length along y: it rolls on its side, and on the rim of an end.
-// Rope, cloth and questions meet a prism of 32 sides, whose corners lie on the rims.
+// A ray and a nearest point find it as round as it is; rope, cloth, and shapes that
+// are asked for, meet a prism of 32 sides, whose corners lie on its rims.
 // Fails if the radius is less than a ten-thousandth of the length, or the other way
 // round.
 tumble_shape tumble_shape_cylinder(tumble_world *w, double length,

@@ -878,7 +878,7 @@ static manifold find_round(const collider *a, const collider *b, touch pair,
 static manifold find_rims(const collider *a, const collider *b,
                           const query_result *nearest, real margin, real turn)
 {
-    rim in_a, in_b;
+    rim_core in_a, in_b;
     vec3 n = nearest->normal;
     bool has_a = rim_towards(a->shape, a->at, vec3_scale(-1, n), &in_a);
     bool has_b = rim_towards(b->shape, b->at, n, &in_b);
@@ -979,7 +979,7 @@ static manifold find_on_plane(const collider *a, vec3 normal, real offset,
 manifold manifold_on_plane(const collider *a, vec3 normal, real offset,
                            real margin, real turn)
 {
-    rim side;
+    rim_core side;
     if (!rim_towards(a->shape, a->at, vec3_scale(-1, normal), &side))
         return find_on_plane(a, normal, offset, margin, turn);
     collider core = query_core(a, &side);

@@ -99,7 +99,7 @@ static query_result nearest_hulls(const collider *a, const collider *b,
 //>   What the search found on the prism of a cylinder is moved out to its rim.
 // The two rims that look along the normal of a pair, if there are any.
 typedef struct {
-    rim  a, b;
+    rim_core a, b;
     bool has_a, has_b;
 } rim_pair;
 
@@ -109,7 +109,7 @@ static void see_rims(rim_pair *p, const collider *a, const collider *b, vec3 n)
     p->has_b = rim_towards(b->shape, b->at, n, &p->b);
 }
 
-collider query_core(const collider *c, const rim *r)
+collider query_core(const collider *c, const rim_core *r)
 {
     return r ? (collider){ &r->core, r->at, false } : *c;
 }
@@ -121,8 +121,8 @@ static bool is_on_core(const feature_point *f)
     return true;
 }
 
-void query_touch_cores(const collider *a, const collider *b, const rim *of_a,
-                       const rim *of_b, vec3 n, touch *t)
+void query_touch_cores(const collider *a, const collider *b, const rim_core *of_a,
+                       const rim_core *of_b, vec3 n, touch *t)
 {
     collider x = query_core(a, of_a), y = query_core(b, of_b);
     if (of_a && !is_on_core(&t->a)) t->a = rim_furthest(of_a, vec3_scale(-1, n));

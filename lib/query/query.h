@@ -67,12 +67,12 @@ hull query_hull(const collider *c);
 real query_round(const collider *a, const collider *b);
 
 // What is touched of a body: the core of that rim, or, of NULL, the body.
-collider query_core(const collider *c, const rim *r);
+collider query_core(const collider *c, const rim_core *r);
 
 // The points of a touch along n go on to the cores of the rims, whichever are not
 // NULL, where they are not there yet; the gap is theirs.
-void query_touch_cores(const collider *a, const collider *b, const rim *of_a,
-                       const rim *of_b, vec3 n, touch *t);
+void query_touch_cores(const collider *a, const collider *b, const rim_core *of_a,
+                       const rim_core *of_b, vec3 n, touch *t);
 
 #endif
 //<

@@ -10,7 +10,7 @@
 // The sine of 8 degrees, as in manifold.c: an end that leans by less is a face.
 static const real END_LEANS = 0.14142135623730951;     // tuned, 1
 
-static void make_core(const shape *s, real round, rim *r)
+static void make_core(const shape *s, real round, rim_core *r)
 {
     r->half[0] = (half_edge){ 0, 1, -1 };
     r->half[1] = (half_edge){ 1, 0, -1 };
@@ -24,7 +24,7 @@ static void make_core(const shape *s, real round, rim *r)
     r->core.mesh.vertex_half = r->first;
 }
 
-bool rim_towards(const shape *s, const vec3 *at, vec3 d, rim *r)
+bool rim_towards(const shape *s, const vec3 *at, vec3 d, rim_core *r)
 {
     if (!(s->rim > 0)) return false;
     vec3 way = vec3_sub(at[1], at[0]);
@@ -43,13 +43,13 @@ bool rim_towards(const shape *s, const vec3 *at, vec3 d, rim *r)
 //<
 
 //> rim-furthest
-feature_point rim_furthest(const rim *r, vec3 d)
+feature_point rim_furthest(const rim_core *r, vec3 d)
 {
     int end = vec3_dot(vec3_sub(r->at[1], r->at[0]), d) > 0;
     return (feature_point){ 1, { end }, { 1 } };
 }
 
-feature_point rim_feature(const rim *r, const feature_point *on_core)
+feature_point rim_feature(const rim_core *r, const feature_point *on_core)
 {
     real part = 0;
     for (int k = 0; k < on_core->count; k++)

@@ -22,7 +22,7 @@ typedef struct {
     bool  is_flat;      // the side itself faces d, up to 8 degrees
     half_edge half[2];
     int   first[2];
-} rim;
+} rim_core;
 //<
 
 //> rim-declare
@@ -30,14 +30,14 @@ typedef struct {
 //>   what a point of the core is to the body.
 // That of a body whose vertices are at `at`, towards the unit vector d.  False: it
 // has none, or one of its ends faces d, up to 8 degrees.  *r must stay where it is.
-bool rim_towards(const shape *s, const vec3 *at, vec3 d, rim *r);
+bool rim_towards(const shape *s, const vec3 *at, vec3 d, rim_core *r);
 
 // The end that reaches furthest along d.
-feature_point rim_furthest(const rim *r, vec3 d);
+feature_point rim_furthest(const rim_core *r, vec3 d);
 
 // A point of the core as one of the body: its particles 0 and 1, weighted, perhaps
 // beyond them.
-feature_point rim_feature(const rim *r, const feature_point *on_core);
+feature_point rim_feature(const rim_core *r, const feature_point *on_core);
 
 // m, by how much the prism of its mesh may be short of the cylinder; 0 of others.
 real rim_sag(const shape *s);

@@ -70,7 +70,7 @@ START_TEST(core_and_radius_reach_as_far_as_the_rim)
     int flat = 0;
     for (int k = 0; k < 3000; k++) {
         drum d;
-        rim r;
+        rim_core r;
         make(&d, some(0.1, 2), some(0.1, 2));
         place(&d, some_unit(), vec3_scale(5, some_unit()));
         vec3 v = some_unit();
@@ -156,7 +156,7 @@ START_TEST(distance_of_two_is_that_of_prisms_with_very_many_sides)
         shape_free(&d.s);
         shape_free(&e.s);
     }
-    ck_assert_int_gt(sides, 20);
+    ck_assert_int_gt(sides, 10);
     ck_assert_msg(worst < 0.005 && worst_side < 2e-5, "%g %g", worst, worst_side);
     free(a);
     free(b);

@@ -467,9 +467,10 @@ bool tumble_body_set_locked(tumble_world *w, tumble_body b, unsigned axes);
 unsigned tumble_body_locked(const tumble_world *w, tumble_body b);
 
 // --- Sensors -----------------------------------------------------------------
-// A sensor: a static or kinematic body, of one piece or several, that pushes nothing,
-// and that no ray, sweep or other question meets.  It costs nothing until it is asked
-// for what is in it.  That are dynamic and kinematic bodies, rope and cloth whose
+// A sensor: a rigid body, of one piece or several, that pushes nothing, and that no
+// ray, sweep or other question meets.  One that is dynamic weighs what it weighs, and
+// falls through all, planes as well: it is for a joint to hold.  It costs nothing until
+// it is asked for what is in it.  That are dynamic and kinematic bodies, rope and cloth whose
 // groups and masks would let the two meet, but no other sensor and no surface.
 bool tumble_body_set_sensor(tumble_world *w, tumble_body b, bool is_sensor);
 bool tumble_body_is_sensor(const tumble_world *w, tumble_body b);

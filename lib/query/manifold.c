@@ -76,10 +76,6 @@ static real dot2(vec3 v, vec3 w)
 //> manifold-look
 //>   Does a face belong to the patch? This is the rule of 8 degrees, in
 //>   squares.
-// A body that rests on its face, strained or rocking a little, still stands on
-// all of its corners; one that leans more stands on an edge.
-static const real LEAN_SINE = 0.14142135623730951;     // tuned, 1: 8 degrees
-
 // A side may be of many triangles, which lie in one plane up to what its points
 // are off.  But a rim of flat sides is no side: of a drum on three of them the
 // outer corners are kept, and it sinks between these, by no more than the square

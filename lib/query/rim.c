@@ -7,9 +7,6 @@
 
 #include <math.h>
 
-// The sine of 8 degrees, as in manifold.c: an end that leans by less is a face.
-static const real END_LEANS = 0.14142135623730951;     // tuned, 1
-
 static void make_core(const shape *s, real round, rim_core *r)
 {
     r->half[0] = (half_edge){ 0, 1, -1 };
@@ -31,13 +28,13 @@ bool rim_towards(const shape *s, const vec3 *at, vec3 d, rim_core *r)
     real length = vec3_length(way), along = vec3_dot(d, way) / length;
     vec3 across = vec3_add_scaled(d, -along / length, way);
     real c = vec3_length(across);
-    if (!(c > END_LEANS)) return false;
+    if (!(c > LEAN_SINE)) return false;
     make_core(s, s->rim / c, r);
     for (int k = 0; k < 2; k++) {
         r->part[k] = k - s->rim * along / (c * length);
         r->at[k] = vec3_add_scaled(at[0], r->part[k], way);
     }
-    r->is_flat = fabs(along) <= END_LEANS;
+    r->is_flat = fabs(along) <= LEAN_SINE;
     return true;
 }
 //<

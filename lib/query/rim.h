@@ -11,6 +11,10 @@
 #include "feature.h"
 #include "body.h"
 
+// A body that rests on its face, strained or rocking a little, still stands on
+// all of its corners; one that leans more stands on an edge, or on its rim.
+static const real LEAN_SINE = 0.14142135623730951;     // tuned, 1: 8 degrees
+
 // Towards a direction d, no point of a cylinder reaches further than one of its two
 // rims.  The line along d through that point crosses the axis: around the crossing,
 // the cylinder is a ball as seen from d, and along both crossings a capsule, of which

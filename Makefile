@@ -26,7 +26,9 @@ define ORDER
 09/system
 10/hull
 10/capsule
+10/cylinder
 10/search
+10/rim
 10/query
 10/obj
 11/manifold

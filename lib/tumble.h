@@ -199,8 +199,9 @@ tumble_world *tumble_world_load(const void *from, size_t size);
 // The same as tumble_world_load, put in the place of a world that is there: w
 // is a pointer to what was saved, and keeps its threads and its choice of
 // contacts.  Ids that the saved world gave are good, those that w gave since
-// are gone.  Costs as much memory and time as a load.  Fails, changing nothing,
-// as that does.
+// are gone.  Costs as much memory and time as a load, and keeps what w was in: the
+// next one takes it again, and asks for no more memory than it is short of, as a
+// rule for none.  Fails, changing nothing, as a load does.
 bool tumble_world_restore(tumble_world *w, const void *from, size_t size);
 
 // Steps run as options.run and context say, from now on.
@@ -250,6 +251,14 @@ tumble_shape tumble_shape_sphere(tumble_world *w, double radius, double mass);
 // All points within radius of a segment of this length along y.
 tumble_shape tumble_shape_capsule(tumble_world *w, double length, double radius,
                                   double mass);
+
+// A cylinder of this length along y: it rolls on its side, and on the rim of an end.
+// A ray and a nearest point find it as round as it is; rope, cloth, and shapes that
+// are asked for, meet a prism of 32 sides, whose corners lie on its rims.
+// Fails if the radius is less than a ten-thousandth of the length, or the other way
+// round.
+tumble_shape tumble_shape_cylinder(tumble_world *w, double length,
+                                   double radius, double mass);
 
 // The convex hull of n points.  Fails if they are fewer than four, flat, or not
 // finite.
@@ -458,9 +467,10 @@ bool tumble_body_set_locked(tumble_world *w, tumble_body b, unsigned axes);
 unsigned tumble_body_locked(const tumble_world *w, tumble_body b);
 
 // --- Sensors -----------------------------------------------------------------
-// A sensor: a static or kinematic body, of one piece or several, that pushes nothing,
-// and that no ray, sweep or other question meets.  It costs nothing until it is asked
-// for what is in it.  That are dynamic and kinematic bodies, rope and cloth whose
+// A sensor: a rigid body, of one piece or several, that pushes nothing, and that no
+// ray, sweep or other question meets.  One that is dynamic weighs what it weighs, and
+// falls through all, planes as well: it is for a joint to hold.  It costs nothing until
+// it is asked for what is in it.  That are dynamic and kinematic bodies, rope and cloth whose
 // groups and masks would let the two meet, but no other sensor and no surface.
 bool tumble_body_set_sensor(tumble_world *w, tumble_body b, bool is_sensor);
 bool tumble_body_is_sensor(const tumble_world *w, tumble_body b);

@@ -51,7 +51,7 @@ static int find_contacts(stage *s, const shape *box, const shape *table,
     for (int i = 0; i < 2 * CORNERS; i++) s->at[i] = s->p[i].position;
     query_result q = query(box, s->at, table, s->at + CORNERS, margin);
     if (!q.near) return 0;
-    manifold m = { 1, q.normal, { q.at } };
+    manifold m = { 1, q.normal, { q.at }, 0, 0 };
     if (most > 1)
         m = touches(box, s->at, table, s->at + CORNERS, &q, margin);
     for (int k = 0; k < m.count; k++) {

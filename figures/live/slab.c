@@ -64,7 +64,7 @@ static void find_contacts(void)
     query_result q = query_nearest(&a, &b, MARGIN, &none);
     contacts = 0;
     if (!q.near) return;
-    manifold m = { 1, q.normal, { q.at } };
+    manifold m = { 1, q.normal, { q.at }, 0, 0 };
     if (live_choice(POINTS) != ONE) m = manifold_find(&a, &b, &q, MARGIN, 0);
     for (int k = 0; k < m.count; k++)
         contact[contacts++] = (feature_contact){

@@ -22,19 +22,26 @@ static const uint64_t MAGIC = 0x656c626d75740a1aU;
 
 // Each word of eight bytes takes its part in the sum by steps that can be undone:
 // so another word gives another sum, whatever the others are.
+static uint64_t sum_with(uint64_t sum, uint64_t word)
+{
+    sum = (sum ^ word) * 0x100000001b3U;
+    return sum ^ sum >> 32;
+}
+
+// A step waits for the one before, so four sums go side by side.
 static uint64_t sum_of(const char *at, size_t n)
 {
-    uint64_t sum = 0xcbf29ce484222325U;
-    while (n > 0) {
-        uint64_t word = 0;
-        size_t some = n < sizeof word ? n : sizeof word;
-        memcpy(&word, at, some);
-        sum = (sum ^ word) * 0x100000001b3U;
-        sum ^= sum >> 32;
-        at += some;
-        n -= some;
+    enum { SUMS = 4 };
+    uint64_t word[SUMS], sum[SUMS] = { 0xcbf29ce484222325U, 1, 2, 3 };
+    for (; n >= sizeof word; at += sizeof word, n -= sizeof word) {
+        memcpy(word, at, sizeof word);
+        for (int k = 0; k < SUMS; k++) sum[k] = sum_with(sum[k], word[k]);
     }
-    return sum;
+    memset(word, 0, sizeof word);
+    memcpy(word, at, n);
+    for (int k = 0; k < SUMS; k++) sum[k] = sum_with(sum[k], word[k]);
+    for (int k = 1; k < SUMS; k++) sum[0] = sum_with(sum[0], sum[k]);
+    return sum[0];
 }
 
 static head head_of(const char *version)
@@ -177,11 +184,70 @@ void store_forget(store *s, const void *field, size_t n)
 }
 //<
 
+//> store-spare
+//>   A world that is put back has the tables that it had before, as a rule. So what
+//>   they were in is listed, and the next one takes its tables from the list.
+store store_list(store_spare *spare)
+{
+    assert(spare->count == 0);
+    return (store){ .done = status_ok(), .spare = spare };
+}
+
+void store_clear(store_spare *spare)
+{
+    for (int k = 0; k < spare->count; k++) free(spare->block[k].at);
+    spare->count = spare->next = 0;
+}
+
+void store_free(store_spare *spare)
+{
+    store_clear(spare);
+    free(spare->block);
+    *spare = (store_spare){ .count = 0 };
+}
+
+static void list(store *s, void *at, size_t size)
+{
+    store_spare *x = s->spare;
+    if (!x || !s->done.ok) return;
+    int room = table_room(x->count + 1, x->room);
+    if (room > x->room) {
+        if (!table_grow(&x->block, x->count, room, sizeof *x->block)) {
+            x->count = 0;       // they stay with their tables
+            store_fail(s, status_out_of_memory());
+            return;
+        }
+        x->room = room;
+    }
+    x->block[x->count++] = (store_block){ at, size };
+}
+
+// The smallest of the list that is large enough: as a rule the one behind that
+// which was taken last, and of the very size.  NULL: there is none.
+static void *take(store_spare *x, size_t bytes)
+{
+    store_block *best = NULL;
+    for (int k = 0; x && k < x->count; k++) {
+        store_block *b = &x->block[(x->next + k) % x->count];
+        if (!b->at || b->size < bytes) continue;
+        if (!best || b->size < best->size) best = b;
+        if (best->size == bytes) break;
+    }
+    if (!best) return NULL;
+    void *at = best->at;
+    best->at = NULL;
+    x->next = (int)(best - x->block) + 1;
+    return at;
+}
+//<
+
 //> store-table
 // Room for an array: any other may grow out of it.
 static void *allocate(store *s, int room, size_t size)
 {
-    void *memory = table_lines((size_t)room * size);
+    size_t bytes = (size_t)room * size;
+    void *memory = take(s->spare, bytes);
+    if (!memory) memory = table_lines(bytes);
     if (!memory) store_fail(s, status_out_of_memory());
     return memory;
 }
@@ -195,6 +261,7 @@ static bool is_there(store *s, void *array, int room, size_t size)
     if (!s->is_reading) {
         store_forget(s, array, sizeof at);
         put(s, &is, 1);
+        if (is) list(s, at, (size_t)room * size);
         return is;
     }
     if (!get(s, &is, 1) || !is) return false;

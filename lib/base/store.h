@@ -24,6 +24,19 @@ typedef struct {
 
 enum { STORE_DEPTH = 4 };
 
+// Memory that tables had, to be used for the same tables of another world: in the
+// order in which they are stored.
+typedef struct {
+    void  *at;              // NULL: it has been taken
+    size_t size;            // bytes, at least
+} store_block;
+
+typedef struct {
+    store_block *block;     // [count]
+    int count, room;
+    int next;               // the one that is taken next
+} store_spare;
+
 typedef struct {
     status done;
     bool is_reading;
@@ -38,6 +51,8 @@ typedef struct {
     const void *(*thing)(const void *owner, int number);
     const void *owner;
     int things, last;       // how many; the last one that was meant
+
+    store_spare *spare;     // NULL: tables that are read are allocated
 } store;
 //<
 
@@ -53,6 +68,13 @@ size_t store_end(store *s);
 // Such bytes.  Fails (s.done) if they are not `size` bytes as they were written,
 // or of another version.
 store  store_from(const void *from, size_t size, const char *version);
+
+// Bytes that nobody wants: each table that is stored is listed in spare, which
+// must be empty.  s.done fails, and the list is empty, if memory is refused.
+store  store_list(store_spare *spare);
+// Frees what has not been taken of the list; empty, it goes on.
+void   store_clear(store_spare *spare);
+void   store_free(store_spare *spare);  // frees it; a zeroed one is fine
 
 // n bytes of memory.
 void store_memory(store *s, void *data, size_t n);

@@ -401,8 +401,8 @@ static void take_manifold(contact *c, const manifold *m, const cache_frame *f,
     c->count = m->count;
     c->is_ahead = is_ahead;
     c->normal = m->normal;
-    c->round_a = f->body[c->piece_a].shape->round;
-    c->round_b = f->body[c->piece_b].shape->round;
+    c->round_a = m->round_a;
+    c->round_b = m->round_b;
     for (int k = 0; k < m->count; k++)
         c->point[k] = (contact_point){
             .local_a = cache_local(f->body[c->piece_a].rigid, &m->point[k].a),
@@ -616,7 +616,7 @@ static void query_wall(contact_cache *c, const cache_frame *f, cache_pair *p)
                                    reach + 2 * slack, f->ahead[a].angle);
     now->normal = wall.normal;
     now->count = m.count;
-    now->round_a = body.shape->round;
+    now->round_a = m.round_a;
     now->round_b = 0;
     for (int k = 0; k < m.count; k++)
         now->point[k] = (contact_point){

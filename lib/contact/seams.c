@@ -310,6 +310,8 @@ static void take(const slider *s, side *x, const manifold *m)
     t->count = m->count;
     t->is_ahead = false;
     t->normal = m->normal;
+    t->round_a = m->round_a;
+    t->round_b = m->round_b;
     for (int k = 0; k < m->count; k++)
         t->point[k] = (contact_point){
             cache_local(s->f->body[t->piece_a].rigid, &m->point[k].a),
@@ -455,15 +457,17 @@ static void take_plane(const slider *s, side *x, const manifold *m)
     contact *t = x->contact;
     collider a = cache_collider(s->c, s->f, s->a);
     const rigid_frame *floor = &s->c->placed[x->b];
+    bool is_a = t->piece_a == s->a;
     t->count = m->count;
     t->is_ahead = false;
+    *(is_a ? &t->round_a : &t->round_b) = m->round_a;
+    *(is_a ? &t->round_b : &t->round_a) = 0;
     for (int k = 0; k < m->count; k++) {
-        int v = m->point[k].a.vertex[0];
-        real down = m->point[k].gap + a.shape->round;
-        vec3 own = s->f->body[s->a].rigid->local[v];
-        vec3 foot = vec3_add_scaled(a.at[v], -down, x->n);
+        const feature_point *of = &m->point[k].a;
+        real down = m->point[k].gap + m->round_a;
+        vec3 own = cache_local(s->f->body[s->a].rigid, of);
+        vec3 foot = vec3_add_scaled(feature_at(of, a.at), -down, x->n);
         foot = frame_local(floor, vec3_sub(foot, floor->center));
-        bool is_a = t->piece_a == s->a;
         t->point[k] = (contact_point){ is_a ? own : foot, is_a ? foot : own,
                                        t->round_a + t->round_b, is_a };
     }

@@ -12,6 +12,7 @@
 
 #include "slots.h"
 #include "step.h"
+#include "store.h"
 #include "surface.h"
 #include "tumble.h"
 
@@ -90,7 +91,11 @@ struct tumble_world {
     bool (*meets)(void *context, const tumble_contact *c);
     void *meets_context;    // of tumble_world_choose_contacts
     status failure;         // the first one
+    store_spare spare;      // what the world was in before it was put back
 };
+
+// Frees all that is in a world, but not the world.
+void inside_free(tumble_world *w);
 
 // Keeps the failure, unless there was one before.  Returns false.
 #if defined(__GNUC__)

@@ -29,7 +29,7 @@ static rounded body_hull(const tumble_world *w, int b, vec3 *at)
 {
     const body *x = &w->world.body[b];
     world_vertices(&w->world, x, at);
-    return (rounded){ { at, x->shape->particles }, x->shape->round };
+    return rounded_shape(x->shape, at);
 }
 
 // m^2, how near the way comes to x.
@@ -86,7 +86,7 @@ static rounded behind(const question *q, const plane *p, vec3 at[4])
     at[1] = vec3_add(vec3_add_scaled(foot, -0.5, x), y);
     at[2] = vec3_sub(vec3_add_scaled(foot, -0.5, x), y);
     at[3] = vec3_add_scaled(foot, -far, n);
-    return (rounded){ { at, 4 }, 0 };
+    return (rounded){ { at, 4 }, 0, 0 };
 }
 
 // Where it first meets it.
@@ -139,7 +139,7 @@ static real ask_prism(void *context, int triangle)
     mesh_question *m = context;
     vec3 *at = m->w->scratch;
     surface_prism(m->surface, triangle, at);
-    cast_result r = m->q->ask(m->q, (rounded){ { at, PRISM_CORNERS }, 0 }, NULL,
+    cast_result r = m->q->ask(m->q, (rounded){ { at, PRISM_CORNERS }, 0, 0 }, NULL,
                               at + m->w->most_vertices);
     take(m->best, &r, m->body);
     real best = m->best->fraction;
@@ -184,7 +184,7 @@ static void ask_facets(const tumble_world *w, int b, const question *q,
     for (int k = 0; k < facets; k++) {
         int vertex[3], n = facet_of(x->shape, k, vertex);
         for (int i = 0; i < n; i++) at[i] = p[vertex[i]].position;
-        rounded facet = { { at, n }, is_cloth ? 0 : x->thickness };
+        rounded facet = { { at, n }, is_cloth ? 0 : x->thickness, 0 };
         sphere ball = ball_around(facet);
         real near = ball.radius + q->around.radius;
         if (way_to(q, ball.center) > near * near * (1 + 1e-9)) continue;
@@ -256,7 +256,7 @@ static question along_ray(vec3 *tip, tumble_vec3 from, tumble_vec3 to,
                           unsigned mask)
 {
     *tip = from_user(from);
-    return (question){ { { tip, 1 }, 0 }, vec3_sub(from_user(to), *tip),
+    return (question){ { { tip, 1 }, 0, 0 }, vec3_sub(from_user(to), *tip),
                        { *tip, 0 }, .mask = mask, .ask = ask_way, .most = 1 };
 }
 
@@ -315,7 +315,7 @@ static bool stand(const tumble_world *w, tumble_shape s, tumble_pose pose,
                         m[6] * r.x + m[7] * r.y + m[8] * r.z };
         at[k] = vec3_add(at[k], from_user(pose.position));
     }
-    q->thing = (rounded){ { at, x->shape->particles }, x->shape->round };
+    q->thing = rounded_shape(x->shape, at);
     q->around = ball_around(q->thing);
     return true;
 }
@@ -403,7 +403,7 @@ static bool soft_overlaps(const world *w, const body *x, const question *q)
 {
     for (int i = x->first; i < x->first + body_particles(x); i++) {
         vec3 p = w->pool.at[i].position;
-        rounded ball = { { &p, 1 }, x->thickness };
+        rounded ball = { { &p, 1 }, x->thickness, 0 };
         real near = q->around.radius + x->thickness;
         if (!(way_to(q, p) > near * near) && cast_overlaps(q->thing, ball))
             return true;

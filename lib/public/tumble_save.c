@@ -93,6 +93,7 @@ static void all_store(tumble_world *w, store *s)
     STORE_FORGET(s, w->meets);
     STORE_FORGET(s, w->meets_context);
     STORE_TABLE(s, w->sensed, w->senses, w->senses);
+    STORE_FORGET(s, w->spare);
     s->owner = w;
     s->thing = shape_at;
     s->things = w->shapes.count;
@@ -109,48 +110,71 @@ size_t tumble_world_save(const tumble_world *w, void *into, size_t room)
     return store_end(&s);
 }
 
-static tumble_world *read_world(const void *from, size_t size, status *done)
+// Into a world that owns nothing, in memory of the list; NULL: in memory of its own.
+static status read_world(tumble_world *w, const void *from, size_t size,
+                         store_spare *spare)
 {
     store s = store_from(from, size, TUMBLE_VERSION);
-    tumble_world *w = s.done.ok ? calloc(1, sizeof *w) : NULL;
-    if (!w) store_fail(&s, status_out_of_memory());
-    if (w) all_store(w, &s);
-    *done = s.done;
-    if (s.done.ok && w->first_mesh > 0) inside_watch_meshes(w);
-    if (s.done.ok) return w;
-    tumble_world_free(w);
-    return NULL;
+    *w = (tumble_world){ .first_mesh = 0 };
+    s.spare = spare;
+    if (!s.done.ok) return s.done;
+    all_store(w, &s);
+    if (!s.done.ok) inside_free(w);
+    return s.done;
 }
 
 tumble_world *tumble_world_load(const void *from, size_t size)
 {
-    status done;
-    tumble_world *w = read_world(from, size, &done);
+    tumble_world *w = malloc(sizeof *w);
+    status done = w ? read_world(w, from, size, NULL) : status_out_of_memory();
     tumble_world_forget_failure(NULL);
     inside_not_made(done);
+    if (!done.ok) {
+        free(w);
+        return NULL;
+    }
+    if (w->first_mesh > 0) inside_watch_meshes(w);
     return w;
 }
 //<
 
 //> face-restore
 //>   To take a move back, or to begin an episode again, a program wants the saved state
-//>   where its world is. The two change places, and the old one goes.
+//>   where its world is. It is read beside the world, and takes its place if all of it
+//>   could be read. What the world was in is kept for the next time: so from the second
+//>   time on no memory is asked for.
+static void take_host(tumble_world *w, const tumble_world *old)
+{
+    world_host *host = &w->world.options.host;
+    host->run = old->world.options.host.run;
+    host->meets = old->world.options.host.meets;
+    w->meets = old->meets;
+    w->meets_context = old->meets_context;
+}
+
+// Its tables, for the next one; or, if there is no memory for the list, none.
+static void keep_tables(tumble_world *old, store_spare *spare)
+{
+    store s = store_list(spare);
+    all_store(old, &s);
+    if (!s.done.ok) inside_free(old);
+}
+
 bool tumble_world_restore(tumble_world *w, const void *from, size_t size)
 {
-    status done;
+    tumble_world saved, old;
     if (!inside_is_world(w)) return false;
-    tumble_world *saved = read_world(from, size, &done);
+    status done = read_world(&saved, from, size, &w->spare);
+    if (!done.ok) store_clear(&w->spare);
     if (!inside_is_ok(w, done)) return false;
-    tumble_world old = *w;
-    world_host *host = &saved->world.options.host;
-    host->run = old.world.options.host.run;
-    host->meets = old.world.options.host.meets;
-    host->chooser = w;
-    saved->meets = old.meets;
-    saved->meets_context = old.meets_context;
-    *w = *saved;
-    *saved = old;
-    tumble_world_free(saved);
+    old = *w;
+    *w = saved;
+    take_host(w, &old);
+    w->world.options.host.chooser = w;
+    w->spare = old.spare;
+    old.spare = (store_spare){ .count = 0 };
+    store_clear(&w->spare);
+    keep_tables(&old, &w->spare);
     if (w->first_mesh > 0) inside_watch_meshes(w);
     return true;
 }

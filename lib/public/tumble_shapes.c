@@ -2,6 +2,7 @@
 //>   Each shape is a shape of chapter 03, made, kept and counted. It cannot be
 //>   dropped while a body is made of it.
 #include "capsule.h"
+#include "cylinder.h"
 #include "hull.h"
 #include "inside.h"
 #include "obj.h"
@@ -60,6 +61,14 @@ tumble_shape tumble_shape_capsule(tumble_world *w, double length, double radius,
 {
     shape s;
     status done = shape_capsule(&s, length, radius, mass);
+    return inside_keep(w, &s, done);
+}
+
+tumble_shape tumble_shape_cylinder(tumble_world *w, double length,
+                                   double radius, double mass)
+{
+    shape s;
+    status done = shape_cylinder(&s, length, radius, mass);
     return inside_keep(w, &s, done);
 }
 

@@ -14,9 +14,6 @@ bool tumble_body_set_kind(tumble_world *w, tumble_body b, tumble_kind kind)
         return inside_fail(w, "%d is no kind of body", (int)kind);
     body_place *x = inside_body(w, b);
     if (kind == x->kind) return true;
-    if (x->is_sensor && kind == TUMBLE_DYNAMIC)
-        return inside_fail(w, "body %u is a sensor: it would fall through all",
-                           b.place);
     inside_lock(w, x, 0);
     world_set_kinematic(&w->world, number, false);
     world_set_static(&w->world, number, kind == TUMBLE_STATIC);
@@ -73,9 +70,9 @@ bool tumble_body_set_sensor(tumble_world *w, tumble_body b, bool is_sensor)
     body_place *x = inside_body(w, b);
     if (!x || x->is_sensor == is_sensor) return x != NULL;
     const body *first = &w->world.body[x->piece[0].number];
-    if (x->kind == TUMBLE_DYNAMIC || x->mesh || body_is_soft(first))
-        return inside_fail(w, "body %u is dynamic, a surface, a rope or a cloth: no "
-                           "sensor", b.place);
+    if (x->mesh || body_is_soft(first))
+        return inside_fail(w, "body %u is a surface, a rope or a cloth: no sensor",
+                           b.place);
     if (is_sensor) {
         x->group = first->group;
         x->mask = first->mask;

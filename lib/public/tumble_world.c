@@ -75,9 +75,8 @@ tumble_world *tumble_world_make(const tumble_options *options)
     return w;
 }
 
-void tumble_world_free(tumble_world *w)
+void inside_free(tumble_world *w)
 {
-    if (!w) return;
     world_free(&w->world);
     for (int k = 0; k < w->bodies.count; k++) {
         body_place *b = slots_at(&w->bodies, k);
@@ -99,6 +98,12 @@ void tumble_world_free(tumble_world *w)
     free(w->scratch);
     free(w->touching);
     free(w->sensed);
+    store_free(&w->spare);
+}
+
+void tumble_world_free(tumble_world *w)
+{
+    if (w) inside_free(w);
     free(w);
 }
 

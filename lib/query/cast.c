@@ -35,8 +35,109 @@ static cast_result met(const swept_result *s, rounded a, vec3 way, rounded b)
     return (cast_result){ true, s->time, surface, s->normal };
 }
 
+//<
+
+//> cast-cylinder
+//>   A point meets a cylinder where it is inside of all that bounds it: the planes of
+//>   its two ends, and the round side.
+typedef struct {
+    vec3 axis;          // unit
+    real length;        // m
+    real up;            // m, of a point along it, from the lower end
+    vec3 off;           // m, of it across the axis
+} axial;
+
+static axial axial_of(rounded c, vec3 x)
+{
+    vec3 way = vec3_sub(c.core.at[1], c.core.at[0]);
+    real length = vec3_length(way);
+    vec3 axis = vec3_scale(1 / length, way), d = vec3_sub(x, c.core.at[0]);
+    real up = vec3_dot(d, axis);
+    return (axial){ axis, length, up, vec3_add_scaled(d, -up, axis) };
+}
+
+// The part of the way inside, 0 to 1 of all of it, and where it comes in.
+typedef struct {
+    real from, to;
+    vec3 normal;
+} passage;
+
+static void come_in(passage *p, real from, real to, vec3 normal)
+{
+    if (from > p->from) p->from = from, p->normal = normal;
+    p->to = real_min(p->to, to);
+}
+
+static void pass_ends(passage *p, const axial *at, real speed)
+{
+    vec3 down = vec3_scale(-1, at->axis);
+    real low = -at->up / speed, high = (at->length - at->up) / speed;
+    if (speed > 0)      come_in(p, low, high, down);
+    else if (speed < 0) come_in(p, high, low, at->axis);
+    else if (!(at->up >= 0 && at->up <= at->length)) p->to = -1;
+}
+
+// |off + t v| = r, of which the two solutions have the product c / a.
+static void pass_side(passage *p, const axial *at, vec3 v, real radius)
+{
+    real a = vec3_length_squared(v), b = vec3_dot(at->off, v);
+    real c = vec3_length_squared(at->off) - radius * radius;
+    real left = b * b - a * c;
+    if (!(a > 0)) {
+        if (c > 0) p->to = -1;
+        return;
+    }
+    if (!(left >= 0)) {
+        p->to = -1;
+        return;
+    }
+    real root = b > 0 ? -b - sqrt(left) : -b + sqrt(left);
+    real one = root / a, other = root != 0 ? c / root : 0;
+    real from = real_min(one, other), to = real_max(one, other);
+    come_in(p, from, to, unit(vec3_add_scaled(at->off, from, v)));
+}
+
+static cast_result ray_cylinder(vec3 from, vec3 way, rounded c)
+{
+    axial at = axial_of(c, from);
+    real speed = vec3_dot(way, at.axis);
+    passage p = { -HUGE_VAL, HUGE_VAL, { 0, 0, 0 } };
+    pass_ends(&p, &at, speed);
+    pass_side(&p, &at, vec3_add_scaled(way, -speed, at.axis), c.rim);
+    if (!(p.from <= p.to && p.to >= 0 && p.from <= 1))
+        return (cast_result){ .hits = false };
+    if (p.from <= 0)
+        return (cast_result){ true, 0, from, unit(vec3_scale(-1, way)) };
+    return (cast_result){ true, p.from, vec3_add_scaled(from, p.from, way),
+                          p.normal };
+}
+
+static cast_result nearest_cylinder(vec3 x, rounded c, real most)
+{
+    axial at = axial_of(c, x);
+    real out = vec3_length(at.off);
+    real up = real_max(0, real_min(at.up, at.length));
+    vec3 near = vec3_add_scaled(c.core.at[0], up, at.axis);
+    real in = out > c.rim ? c.rim / out : 1;
+    near = vec3_add_scaled(near, in, at.off);
+    vec3 d = vec3_sub(x, near);
+    real away = in == 1 && up == at.up ? 0 : vec3_length(d);
+    if (!(away <= most)) return (cast_result){ .hits = false };
+    if (away == 0) return (cast_result){ true, 0, x, { 0, 0, 0 } };
+    return (cast_result){ true, away, near, vec3_scale(1 / away, d) };
+}
+//<
+
+//> cast-straight
+//>   All else is asked of hulls and their radii.
+static bool is_point(rounded a)
+{
+    return a.core.count == 1 && a.round == 0;
+}
+
 cast_result cast_first(rounded a, vec3 way, rounded b, vec3 *scratch)
 {
+    if (b.rim > 0 && is_point(a)) return ray_cylinder(a.core.at[0], way, b);
     real apart = a.round + b.round;
     real fine = 1e-12 * (vec3_length(way) + size_of(a) + size_of(b));
     swept_result s = { .status = SWEPT_NOT_FINITE };
@@ -83,6 +184,7 @@ cast_result cast_first_plane(rounded a, vec3 way, plane p)
 //>   What is near a point, and what overlaps a shape.
 cast_result cast_nearest(vec3 x, rounded b, real most)
 {
+    if (b.rim > 0) return nearest_cylinder(x, b, most);
     gjk_result g = gjk_distance((hull){ &x, 1 }, b.core, HUGE_VAL, NULL);
     real away = g.distance - b.round;
     bool is_apart = g.status == GJK_APART || g.status == GJK_CAPPED;

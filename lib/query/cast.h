@@ -17,7 +17,14 @@
 typedef struct {
     hull core;
     real round;
+    real rim;           // m, of a cylinder: see shape; else 0
 } rounded;
+
+// A rigid shape whose vertices are at `at`.
+static inline rounded rounded_shape(const shape *s, const vec3 *at)
+{
+    return (rounded){ { at, s->particles }, s->round, s->rim };
+}
 
 typedef struct {
     bool hits;
@@ -31,7 +38,8 @@ typedef struct {
 //> cast-declare
 //>   Six questions can be asked: three of them about a moving body, three about
 //>   one that stands still.
-// Where does a, which goes straight by `way` without turning, first touch b?
+// Where does a, which goes straight by `way` without turning, first touch b?  (What
+// is no point meets the prism of a cylinder.)
 // To 1e-12 of the way and the sizes.  What overlaps at the start is met at 0.
 // What is not finite meets nothing.  scratch: room for the points of both.
 cast_result cast_first(rounded a, vec3 way, rounded b, vec3 *scratch);

@@ -25,13 +25,14 @@ static manifold touch_ahead(const collider *a, const collider *b, real near,
     const collider y = { b->shape, there + a->shape->particles, false };
     manifold m = collide_rigid(&x, &y, near, 0, &none);
     if (m.count == 0) {
-        m = (manifold){ 1, s->normal, { { .gap = near } } };
+        m = (manifold){ 1, s->normal, { { .gap = near } }, a->shape->round,
+                        b->shape->round };
         query_features(&s->last, &m.point[0].a, &m.point[0].b);
     }
     for (int k = 0; k < m.count; k++) {
         touch *t = &m.point[k];
         vec3 gap = vec3_sub(feature_at(&t->a, a->at), feature_at(&t->b, b->at));
-        t->gap = vec3_dot(gap, m.normal) - query_round(a, b);
+        t->gap = vec3_dot(gap, m.normal) - m.round_a - m.round_b;
     }
     return m;
 }
@@ -48,6 +49,8 @@ swept_status collide_swept(const collider *a, const swept_motion *of_a,
     bool turns = vec3_length_squared(of_a->turn) > 0
               || vec3_length_squared(of_b->turn) > 0;
     vec3 way = vec3_sub(of_a->way, of_b->way);
+    // (A prism may miss what its cylinder touches.)
+    apart += rim_sag(a->shape) + rim_sag(b->shape);
     real near = apart + query_round(a, b);
     swept_result s = turns
         ? swept_turning(x, of_a, y, of_b, near, fine, scratch)

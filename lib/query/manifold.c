@@ -4,6 +4,7 @@
 #include "manifold.h"
 
 #include <assert.h>
+#include <stddef.h>
 
 // Both bodies as seen along the normal: x and y lie across it, z along it.
 typedef struct {
@@ -75,10 +76,6 @@ static real dot2(vec3 v, vec3 w)
 //> manifold-look
 //>   Does a face belong to the patch? This is the rule of 8 degrees, in
 //>   squares.
-// A body that rests on its face, strained or rocking a little, still stands on
-// all of its corners; one that leans more stands on an edge.
-static const real LEAN_SINE = 0.14142135623730951;     // tuned, 1: 8 degrees
-
 // A side may be of many triangles, which lie in one plane up to what its points
 // are off.  But a rim of flat sides is no side: of a drum on three of them the
 // outer corners are kept, and it sinks between these, by no more than the square
@@ -840,7 +837,7 @@ static manifold find_between(const collider *a, const collider *b,
 {
     view w = view_along(normal, feature_at(&pair->b, b->at),
                         fmax(a->shape->radius, b->shape->radius));
-    manifold found = { 1, normal, { *pair } };
+    manifold found = { 1, normal, { *pair }, a->shape->round, b->shape->round };
     patch p, q;
     meetings m;
 
@@ -860,17 +857,49 @@ static manifold find_between(const collider *a, const collider *b,
     return found;
 }
 
+static manifold find_round(const collider *a, const collider *b, touch pair,
+                           vec3 normal, real margin, real turn)
+{
+    real round = query_round(a, b);
+    pair.gap += round;
+    manifold m = find_between(a, b, &pair, normal, margin + round, turn);
+    for (int k = 0; k < m.count; k++) m.point[k].gap -= round;
+    return m;
+}
+//<
+
+//> manifold-rims
+//>   The side of a cylinder is that of a capsule, whose ends are given back as points
+//>   on its axis.
+static manifold find_rims(const collider *a, const collider *b,
+                          const query_result *nearest, real margin, real turn)
+{
+    rim_core in_a, in_b;
+    vec3 n = nearest->normal;
+    bool has_a = rim_towards(a->shape, a->at, vec3_scale(-1, n), &in_a);
+    bool has_b = rim_towards(b->shape, b->at, n, &in_b);
+    collider x = query_core(a, has_a ? &in_a : NULL);
+    collider y = query_core(b, has_b ? &in_b : NULL);
+    touch pair = nearest->at;
+    if (has_a || has_b)
+        query_touch_cores(a, b, has_a ? &in_a : NULL, has_b ? &in_b : NULL, n,
+                          &pair);
+    manifold m = find_round(&x, &y, pair, n, margin, turn);
+    for (int k = 0; k < m.count; k++) {
+        touch *t = &m.point[k];
+        if (has_a) t->a = rim_feature(&in_a, &t->a);
+        if (has_b) t->b = rim_feature(&in_b, &t->b);
+    }
+    return m;
+}
+
 manifold manifold_find(const collider *a, const collider *b,
                        const query_result *nearest, real margin, real turn)
 {
-    touch pair = nearest->at;
-    real round = query_round(a, b);
-    assert(nearest->near && pair.a.count > 0 && pair.b.count > 0);
-    pair.gap += round;
-    manifold m = find_between(a, b, &pair, nearest->normal, margin + round,
-                              turn);
-    for (int k = 0; k < m.count; k++) m.point[k].gap -= round;
-    return m;
+    assert(nearest->near && nearest->at.a.count > 0 && nearest->at.b.count > 0);
+    return a->shape->rim > 0 || b->shape->rim > 0
+        ? find_rims(a, b, nearest, margin, turn)
+        : find_round(a, b, nearest->at, nearest->normal, margin, turn);
 }
 //<
 
@@ -918,18 +947,19 @@ static void meet_plane(const patch *p, real gap, meetings *m)
     }
 }
 
-manifold manifold_on_plane(const collider *a, vec3 normal, real offset,
-                           real margin, real turn)
+static manifold find_on_plane(const collider *a, vec3 normal, real offset,
+                              real margin, real turn)
 {
     int lowest = lowest_vertex(a, normal);
     touch pair = { .a = { 1, { lowest }, { 1 } } };
-    manifold found = { 0, normal, { pair } };
+    manifold found = { 0, normal, { pair }, a->shape->round, 0 };
     patch p;
     meetings m;
 
     pair.gap = vec3_dot(a->at[lowest], normal) - offset - a->shape->round;
     if (!(pair.gap <= margin)) return found;
-    found = (manifold){ 1, normal, { pair } };
+    found.count = 1;
+    found.point[0] = pair;
     view w = view_along(normal, a->at[lowest], a->shape->radius);
     if (!patch_begin(&p, a, -1, &w, &pair.a, turn)) return found;
     patch_draw(&p, &w);
@@ -940,5 +970,18 @@ manifold manifold_on_plane(const collider *a, vec3 normal, real offset,
     found.count = keep(&m, &pair, &w, turn, found.point);
     sort_by_depth(&found);
     return found;
+}
+
+manifold manifold_on_plane(const collider *a, vec3 normal, real offset,
+                           real margin, real turn)
+{
+    rim_core side;
+    if (!rim_towards(a->shape, a->at, vec3_scale(-1, normal), &side))
+        return find_on_plane(a, normal, offset, margin, turn);
+    collider core = query_core(a, &side);
+    manifold m = find_on_plane(&core, normal, offset, margin, turn);
+    for (int k = 0; k < m.count; k++)
+        m.point[k].a = rim_feature(&side, &m.point[k].a);
+    return m;
 }
 //<

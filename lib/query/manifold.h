@@ -18,6 +18,8 @@ typedef struct {
     int   count;        // 0 to MANIFOLD_POINTS; 0: they do not touch
     vec3  normal;       // unit, from B to A
     touch point[MANIFOLD_POINTS];
+    real  round_a, round_b;     // m, so far from the points of A and of B, along
+                                // the normal, are their surfaces
 } manifold;
 //<
 

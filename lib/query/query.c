@@ -4,6 +4,7 @@
 #include "query.h"
 
 #include <assert.h>
+#include <stddef.h>
 
 // 18 bytes, where a simplex has 192.  gjk_distance needs no more than the
 // vertices: where the corners are now, and their weights, it computes itself.
@@ -74,12 +75,10 @@ static bool is_in_range(const collider *c)
     return c->in_range || hull_in_range(query_hull(c));
 }
 
-query_result query_nearest(const collider *a, const collider *b, real margin,
-                           query_cache *carried)
+static query_result nearest_hulls(const collider *a, const collider *b,
+                                  real margin, query_cache *carried)
 {
-    assert(!(margin < 0));
     query_result none = { .near = false };
-    if (!(margin >= 0)) return none;
     if (!is_in_range(a) || !is_in_range(b)) return none;
     hull_mesh ma = mesh_of(a), mb = mesh_of(b);
     simplex s = cache_read(carried);
@@ -93,5 +92,94 @@ query_result query_nearest(const collider *a, const collider *b, real margin,
     bool known = g.status == GJK_APART || g.status == GJK_CAPPED;
     if (!known || g.last.count > 3 || g.distance > margin + round) return none;
     return apart_result(&g, round);
+}
+//<
+
+//> query-rims
+//>   What the search found on the prism of a cylinder is moved out to its rim.
+// The two rims that look along the normal of a pair, if there are any.
+typedef struct {
+    rim_core a, b;
+    bool has_a, has_b;
+} rim_pair;
+
+static void see_rims(rim_pair *p, const collider *a, const collider *b, vec3 n)
+{
+    p->has_a = rim_towards(a->shape, a->at, vec3_scale(-1, n), &p->a);
+    p->has_b = rim_towards(b->shape, b->at, n, &p->b);
+}
+
+collider query_core(const collider *c, const rim_core *r)
+{
+    return r ? (collider){ &r->core, r->at, false } : *c;
+}
+
+static bool is_on_core(const feature_point *f)
+{
+    for (int k = 0; k < f->count; k++)
+        if (f->vertex[k] > 1) return false;
+    return true;
+}
+
+void query_touch_cores(const collider *a, const collider *b, const rim_core *of_a,
+                       const rim_core *of_b, vec3 n, touch *t)
+{
+    collider x = query_core(a, of_a), y = query_core(b, of_b);
+    if (of_a && !is_on_core(&t->a)) t->a = rim_furthest(of_a, vec3_scale(-1, n));
+    if (of_b && !is_on_core(&t->b)) t->b = rim_furthest(of_b, n);
+    vec3 apart = vec3_sub(feature_at(&t->a, x.at), feature_at(&t->b, y.at));
+    t->gap = vec3_dot(n, apart) - query_round(&x, &y);
+}
+
+// Is the normal still across the axis, and the answer found on the side?
+static bool stays_flat(const rim_pair *was, const rim_pair *now)
+{
+    return (!was->has_a || !was->a.is_flat || (now->has_a && now->a.is_flat))
+        && (!was->has_b || !was->b.is_flat || (now->has_b && now->b.is_flat));
+}
+
+// A side that faces the other body is asked as the capsule that it belongs to: over
+// an edge, or along another cylinder, its normal turns steadily.
+static bool ask_sides(const collider *a, const collider *b, query_result *r,
+                      const rim_pair *p)
+{
+    bool is_a = p->has_a && p->a.is_flat, is_b = p->has_b && p->b.is_flat;
+    query_cache none = { .count = 0 };
+    if (!is_a && !is_b) return false;
+    collider x = is_a ? (collider){ &p->a.core, a->at, false } : *a;
+    collider y = is_b ? (collider){ &p->b.core, b->at, false } : *b;
+    query_result side = nearest_hulls(&x, &y, HUGE_VAL, &none);
+    rim_pair now;
+    if (!side.near) return false;
+    see_rims(&now, a, b, side.normal);
+    if (!stays_flat(p, &now)) return false;
+    *r = side;
+    return true;
+}
+
+static query_result nearest_rims(const collider *a, const collider *b,
+                                 real margin, query_cache *carried)
+{
+    query_result r = nearest_hulls(a, b, margin + rim_sag(a->shape)
+                                         + rim_sag(b->shape), carried);
+    if (!r.near) return r;
+    rim_pair p;
+    see_rims(&p, a, b, r.normal);
+    if (ask_sides(a, b, &r, &p)) see_rims(&p, a, b, r.normal);
+    if (p.has_a || p.has_b)
+        query_touch_cores(a, b, p.has_a ? &p.a : NULL, p.has_b ? &p.b : NULL,
+                          r.normal, &r.at);
+    r.near = r.at.gap <= margin;
+    return r;
+}
+
+query_result query_nearest(const collider *a, const collider *b, real margin,
+                           query_cache *carried)
+{
+    assert(!(margin < 0));
+    if (!(margin >= 0)) return (query_result){ .near = false };
+    return a->shape->rim > 0 || b->shape->rim > 0
+        ? nearest_rims(a, b, margin, carried)
+        : nearest_hulls(a, b, margin, carried);
 }
 //<

@@ -11,6 +11,7 @@
 
 #include "body.h"
 #include "hit_face.h"
+#include "rim.h"
 #include "search.h"
 
 // A convex body as the queries see it.  Of a round one they see the core: what
@@ -40,7 +41,9 @@ typedef struct {
     bool  near;         // false: further apart than the margin
     vec3  normal;       // unit, from B to A
     touch at;           // where they are nearest; if they overlap, the two
-                        // points that the shortest way out joins
+                        // points that the shortest way out joins; where the
+                        // side of a cylinder is touched, an end of its rim's core,
+                        // as particle 0 or 1
 } query_result;
 //<
 
@@ -62,6 +65,14 @@ hull query_hull(const collider *c);
 
 // m, the sum of the radii around the cores of two; 0 unless they are round.
 real query_round(const collider *a, const collider *b);
+
+// What is touched of a body: the core of that rim, or, of NULL, the body.
+collider query_core(const collider *c, const rim_core *r);
+
+// The points of a touch along n go on to the cores of the rims, whichever are not
+// NULL, where they are not there yet; the gap is theirs.
+void query_touch_cores(const collider *a, const collider *b, const rim_core *of_a,
+                       const rim_core *of_b, vec3 n, touch *t);
 
 #endif
 //<

@@ -67,12 +67,26 @@ static rigid_solid solid_of_round(const shape *s)
 }
 //<
 
+//> rigid4-cylinder
+// Of a cylinder about y: the mean of y^2 is a third of half its length squared, and
+// across it means are r^2 / 4.
+static rigid_solid solid_of_cylinder(const shape *s)
+{
+    real r = s->rim, half = s->at[1].y;
+    rigid_solid q = { .volume = 2 * half * r * r };
+    q.spread[0][0] = q.spread[2][2] = r * r / 4;
+    q.spread[1][1] = half * half / 3;
+    return q;
+}
+//<
+
 //> rigid4-own
 //>   What has a weight of its own is taken at its word.
 rigid_solid rigid4_solid(const shape *s)
 {
     if (!(s->own.mass > 0))
-        return s->round > 0 ? solid_of_round(s) : solid_of(s);
+        return s->round > 0 ? solid_of_round(s)
+             : s->rim > 0 ? solid_of_cylinder(s) : solid_of(s);
     rigid_solid q = { .volume = 1, .center = s->own.center };
     memcpy(q.spread, s->own.spread, sizeof q.spread);
     return q;

@@ -265,7 +265,7 @@ status shape_round(shape *s, const shape *of, real radius)
     status done = weight_copy(s, of);
     if (!done.ok) return done;
     real mass = rigid4_mass(of), round = of->round + radius;
-    s->own.mass = s->round = 0;
+    s->own.mass = s->round = s->rim = 0;
     moments m = moments_around(s, round);
     done = span_round(s, round);
     take_weight(s, &m, mass);

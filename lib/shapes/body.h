@@ -47,8 +47,8 @@ typedef struct shape {
     int    columns, rows; // of a cloth; a rope is one row; rigid: 0
     struct mesh mesh;   // no vertex, edge or face for a rope
     int   *face;        // [mesh.faces * 3] vertices of each face, for loops
-    real   round;       // m, rigid: all that is no further from the particles'
-                        // hull belongs to the body, too; of most: 0
+    real   round, rim;  // m, rigid: what is no further from the particles' hull, or
+                        // from a cylinder's axis, is of the body, too; else 0
     struct skin skin;   // of one that is round; else empty
     real   radius;      // m, largest distance of the body from the origin
     real   spacing;     // m, the shortest stick

@@ -19,17 +19,23 @@ status grid_init(grid *g, int points)
     g->start  = malloc((cells + 2) * sizeof *g->start);
     g->cell   = malloc((n + 1) * sizeof *g->cell);
     g->sorted = malloc((n + 1) * sizeof *g->sorted);
-    real *real_room = malloc((4 * n + 1) * sizeof *real_room);
-    int *int_room = malloc((3 * n + 1) * sizeof *int_room);
-    g->crowd = (crowd){ .x = real_room, .place = int_room };
-    if (!g->start || !g->cell || !g->sorted || !real_room || !int_room) {
+    g->crowd.x     = malloc((4 * n + 1) * sizeof *g->crowd.x);
+    g->crowd.place = malloc((3 * n + 1) * sizeof *g->crowd.place);
+    if (!g->start || !g->cell || !g->sorted || !g->crowd.x || !g->crowd.place) {
         grid_free(g);
         return status_out_of_memory();
     }
-    g->crowd = (crowd){ real_room, real_room + n, real_room + 2 * n,
-                        real_room + 3 * n,
-                        int_room, int_room + n, int_room + 2 * n };
+    grid_part(g);
     return status_ok();
+}
+
+void grid_part(grid *g)
+{
+    size_t n = (size_t)g->points;
+    real *x = g->crowd.x;
+    int *place = g->crowd.place;
+    g->crowd = (crowd){ x, x + n, x + 2 * n, x + 3 * n,
+                        place, place + n, place + 2 * n };
 }
 
 void grid_free(grid *g)

@@ -39,6 +39,7 @@ typedef struct grid {
 //>   across the cells, are left out at once, because they are near by nature.
 // For that many points, >= 0.  Fails, leaving *g empty, if memory is refused.
 status grid_init(grid *g, int points);
+void   grid_part(grid *g);      // its crowd's tables lie in x and place
 void   grid_free(grid *g);      // an empty or zeroed one is fine
 
 // The pairs of n points at `at` (n <= g->points) that are nearer than reach (m,

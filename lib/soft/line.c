@@ -104,15 +104,20 @@ static size_t drawn_room(const shape *s)
     return (size_t)s->particles + (size_t)(LANES * most);
 }
 
-line_scratch *line_scratch_new(const shape *s)
+size_t line_scratch_size(const shape *s)
 {
     size_t longest = (size_t)int_max(s->columns, s->rows);
     size_t room = longest > 0 ? (size_t)s->particles : 0;
     size_t rows = (longest + 1) * LANES, drawn = room ? drawn_room(s) : 0;
-    line_scratch *scratch = malloc(sizeof *scratch + sizeof(real)
-                                   * (12 * room + (8 + FIELDS) * rows
-                                      + 2 * drawn + 21 * IN_LINE) + 2 * room);
-    if (!scratch) return NULL;
+    return sizeof(line_scratch) + sizeof(real) * (12 * room
+               + (8 + FIELDS) * rows + 2 * drawn + 21 * IN_LINE) + 2 * room;
+}
+
+void line_scratch_init(line_scratch *scratch, const shape *s)
+{
+    size_t longest = (size_t)int_max(s->columns, s->rows);
+    size_t room = longest > 0 ? (size_t)s->particles : 0;
+    size_t rows = (longest + 1) * LANES, drawn = room ? drawn_room(s) : 0;
     real *memory = line_begin(scratch->memory);
     scratch->particles = (int)longest;
     scratch->room      = (int)room;
@@ -130,6 +135,12 @@ line_scratch *line_scratch_new(const shape *s)
     hold_nothing(scratch);
     memset(scratch->hold.x, 0, 4 * (size_t)(scratch->hold.y - scratch->hold.x)
                                * sizeof(real));
+}
+
+line_scratch *line_scratch_new(const shape *s)
+{
+    line_scratch *scratch = malloc(line_scratch_size(s));
+    if (scratch) line_scratch_init(scratch, s);
     return scratch;
 }
 

@@ -14,6 +14,8 @@
 
 #include "body.h"
 
+#include <stddef.h>
+
 // Lines side by side: particle k of line l is number l * across + k * along.
 // All their links are equally long.
 typedef struct {
@@ -67,7 +69,10 @@ real shape_width(const shape *s, int direction);
 // width a cloth (m/N).
 real links_energy(const shape *s, real compliance, const particle *p);
 
-// Room for the strands of s.  NULL if memory is refused.
+// Room for the strands of s, in so many bytes: filled, or found as well.  NULL if
+// memory is refused.
+size_t        line_scratch_size(const shape *s);
+void          line_scratch_init(line_scratch *scratch, const shape *s);
 line_scratch *line_scratch_new(const shape *s);
 void          line_scratch_free(line_scratch *scratch);
 

@@ -96,6 +96,11 @@ static inline bool body_meets(const body *a, const body *b)
         && (body_yields(a) || body_yields(b))
         && !(a->rides && a->rides == b->rides);
 }
+// What is in no group and looks for none: planes it does not meet, either.
+static inline bool body_meets_none(const body *b)
+{
+    return b->group == 0 && b->mask == 0;
+}
 
 // A deformable body and a rigid one that do not meet: particles are pinned to
 // it; or none is any more, but the two have not been apart since.

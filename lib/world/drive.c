@@ -74,9 +74,10 @@ void drive_drop_walls(world *w)
 {
     pair_list *l = &w->rigid.pairs;
     int walls = 0;
-    if (w->kinematic_bodies == 0) return;
+    if (w->kinematic_bodies == 0 && !w->is_choosy) return;
     for (int k = 0; k < l->walls; k++) {
-        if (w->body[l->wall[k][0]].is_kinematic) continue;
+        const body *x = &w->body[l->wall[k][0]];
+        if (x->is_kinematic || body_meets_none(x)) continue;
         l->wall[walls][0] = l->wall[k][0];
         l->wall[walls++][1] = l->wall[k][1];
     }

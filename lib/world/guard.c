@@ -225,7 +225,8 @@ static void stop_chunk(void *data, int item)
     int end = task_end(item, w->rigid.awakes);
     for (int i = task_first(item); i < end; i++) {
         int b = w->rigid.awake[i];
-        for (int k = 0; k < w->planes && w->rigid.moves[b]; k++)
+        bool may = w->rigid.moves[b] && !body_meets_none(&w->body[b]);
+        for (int k = 0; k < w->planes && may; k++)
             stop_at_plane(w, b, w->plane[k]);
     }
 }

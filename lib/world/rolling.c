@@ -81,8 +81,10 @@ static void brake(world *w, const contact *c, real load)
 
 static bool has_round(const world *w)
 {
-    for (int k = 0; k < w->shapes; k++)
-        if (w->shape[k].bodies > 0 && w->shape[k].shape->round > 0) return true;
+    for (int k = 0; k < w->shapes; k++) {
+        const shape *s = w->shape[k].shape;
+        if (w->shape[k].bodies > 0 && (s->round > 0 || s->rim > 0)) return true;
+    }
     return false;
 }
 

@@ -149,10 +149,18 @@ static void trees_store(near_lists *l, store *s)
 static void grid_store(grid *g, store *s)
 {
     int points = g->points;
-    STORE_FORGET(s, *g);
-    store_memory(s, &points, sizeof points);
-    if (s->is_reading && s->done.ok && points > 0)
-        store_fail(s, grid_init(g, points));
+    crowd *c = &g->crowd;
+    STORE_ROOM(s, g->start, g->cells + 2);
+    STORE_ROOM(s, g->cell, points + 1);
+    STORE_ROOM(s, g->sorted, points + 1);
+    STORE_ROOM(s, c->x, 4 * points + 1);
+    STORE_ROOM(s, c->place, 3 * points + 1);
+    STORE_FORGET(s, c->y);
+    STORE_FORGET(s, c->z);
+    STORE_FORGET(s, c->d2);
+    STORE_FORGET(s, c->number);
+    STORE_FORGET(s, c->near);
+    if (s->is_reading && s->done.ok && points > 0) grid_part(g);
 }
 
 static void near_store(near_lists *l, store *s)
@@ -221,8 +229,8 @@ static void soft_store(soft_solver *x, store *s)
 static void shape_entry_store(shape_entry *e, store *s)
 {
     store_pointer(s, &e->shape);
-    STORE_FORGET(s, e->line);
     bool is_rigid = e->shape && e->shape->kind == SHAPE_RIGID;
+    if (!e->shape || is_rigid) STORE_FORGET(s, e->line);
     STORE_TABLE(s, e->rigid, 1, 1);
     if (is_rigid && e->rigid) {
         store_enter(s);
@@ -230,9 +238,9 @@ static void shape_entry_store(shape_entry *e, store *s)
                     e->shape->particles);
         store_leave(s);
     }
-    if (!s->is_reading || !e->shape || is_rigid) return;
-    e->line = line_scratch_new(e->shape);
-    if (!e->line) store_fail(s, status_out_of_memory());
+    if (!e->shape || is_rigid) return;
+    store_room(s, &e->line, 1, line_scratch_size(e->shape));
+    if (s->is_reading && e->line) line_scratch_init(e->line, e->shape);
 }
 
 // The table of shapes doubles when it is full.

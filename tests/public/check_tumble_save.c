@@ -662,6 +662,94 @@ START_TEST(where_memory_runs_out_nothing_is_loaded_and_nothing_lost)
 }
 END_TEST
 
+// --- Put back, again and again -----------------------------------------------
+// From the state, and on: the hash at the end.
+static unsigned long long tried(tumble_world *w, bytes b, int *refused)
+{
+    *refused += !tumble_world_restore(w, b.at, b.size);
+    mallocs_left = INT_MAX;
+    go_on(w, 30, 20, false);
+    return tumble_world_hash(w);
+}
+
+// Rejects: a table that is allocated anew; one that nothing frees.
+START_TEST(a_state_that_is_put_back_again_asks_for_no_memory)
+{
+    for (int which = 0; which < ALL_WORLDS; which++) {
+        int refused = 0, others = 0;
+        tumble_world *w = world_of(which, 0);
+        go_on(w, 0, 30, true);
+        bytes b = saved(w);
+        go_on(w, 30, 20, false);
+        unsigned long long after = tumble_world_hash(w);
+        others += tried(w, b, &refused) != after;
+        others += tried(w, b, &refused) != after;
+        long held = blocks_held;
+        for (int round = 0; round < 4; round++) {
+            mallocs_left = 0;
+            others += tried(w, b, &refused) != after;
+        }
+        held -= blocks_held;
+        tumble_world_free(w);
+        free(b.at);
+        ck_assert_msg(refused == 0, "world %d: %d refused", which, refused);
+        ck_assert_int_eq(others, 0);
+        ck_assert_int_eq(held, 0);
+    }
+}
+END_TEST
+
+START_TEST(what_was_put_back_is_saved_as_the_same_bytes)
+{
+    for (int which = 0; which < ALL_WORLDS; which++) {
+        int refused = 0;
+        tumble_world *w = world_of(which, 0);
+        go_on(w, 0, 30, true);
+        bytes b = saved(w);
+        for (int round = 0; round < 3; round++) tried(w, b, &refused);
+        ck_assert(tumble_world_restore(w, b.at, b.size));
+        bytes again = saved(w);
+        ck_assert_int_eq(refused, 0);
+        ck_assert_uint_eq(again.size, b.size);
+        ck_assert(memcmp(again.at, b.at, b.size) == 0);
+        tumble_world_free(w);
+        free(again.at);
+        free(b.at);
+    }
+}
+END_TEST
+
+// Rejects: a list of tables that is lost.
+START_TEST(where_memory_runs_out_a_world_stays_as_it_was)
+{
+    for (int which = 0; which < WORLDS; which++) {
+        int others = 0, refused = 0;
+        tumble_world *w = world_of(which, 0);
+        go_on(w, 0, 30, true);
+        bytes b = saved(w);
+        go_on(w, 30, 20, false);
+        unsigned long long after = tumble_world_hash(w);
+        bool done = false;
+        for (int left = 0; !done; left++) {
+            long held = blocks_held;
+            mallocs_left = left;
+            done = tumble_world_restore(w, b.at, b.size);
+            mallocs_left = INT_MAX;
+            if (done) break;
+            others += blocks_held != held || tumble_world_hash(w) != after
+                   || !tumble_world_failure(w);
+            tumble_world_forget_failure(w);
+        }
+        go_on(w, 30, 20, false);
+        others += tumble_world_hash(w) != after;
+        others += tried(w, b, &refused) != after;
+        tumble_world_free(w);
+        free(b.at);
+        ck_assert_int_eq(others + refused, 0);
+    }
+}
+END_TEST
+
 // --- Is each table needed? ---------------------------------------------------
 // A place in the code that stores a table, by the address behind its call.
 enum { MOST_PLACES = 400 };
@@ -887,6 +975,9 @@ int main(void)
         bytes_that_were_cut_or_altered_are_refused,
         too_little_room_is_told_and_not_overrun,
         where_memory_runs_out_nothing_is_loaded_and_nothing_lost,
+        a_state_that_is_put_back_again_asks_for_no_memory,
+        what_was_put_back_is_saved_as_the_same_bytes,
+        where_memory_runs_out_a_world_stays_as_it_was,
         what_reads_garbage_for_a_table_goes_elsewhere,
         NULL
     };

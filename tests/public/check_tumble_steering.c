@@ -793,11 +793,9 @@ START_TEST(a_sensor_sees_what_its_filter_lets_in)
     ck_assert(tumble_world_ray(w, tumble_v(-0.4, -3, -0.4),
                                tumble_v(-0.4, -0.3, -0.4), ~0u, &hit));
     expect_fine(w);
-    ck_assert(!tumble_body_set_sensor(w, b, true));
+    ck_assert(!tumble_body_set_sensor(w, rope, true));
     expect_failure(w, "no sensor");
     ck_assert(tumble_body_set_sensor(w, gate, true));
-    ck_assert(!tumble_body_set_kind(w, gate, TUMBLE_DYNAMIC));
-    expect_failure(w, "is a sensor");
     tumble_world_sensor_events(w, NULL, 0);
     tumble_body_remove(w, rope);
     tumble_body_remove(w, gate);
@@ -805,6 +803,53 @@ START_TEST(a_sensor_sees_what_its_filter_lets_in)
     int ends = 0, n = tumble_world_sensor_events(w, e, 8);
     for (int k = 0; k < n; k++) ends += !e[k].begins && is_same(e[k].a, gate);
     ck_assert_int_eq(ends, 3);
+    tumble_world_free(w);
+}
+END_TEST
+
+// Rejects: a sensor that a plane holds up, or a body, or that others rest on.
+START_TEST(a_dynamic_sensor_falls_through_all)
+{
+    tumble_world *w = with_floor();
+    tumble_body low = add_box(w, 0, 0.5, 0), eye = add_box(w, 0, 2, 0);
+    tumble_body top = add_box(w, 0, 3.5, 0);
+    ck_assert(tumble_body_set_sensor(w, eye, true));
+    run(w, 1);
+    near(tumble_body_position(w, low).y, 0.5, 1e-3);
+    near(tumble_body_position(w, top).y, 1.5, 1e-3);
+    near(tumble_body_position(w, eye).y, 2 - 9.81 / 2, 0.03);
+    ck_assert(tumble_body_set_sensor(w, eye, false));
+    ck_assert(tumble_body_set_kind(w, eye, TUMBLE_STATIC));
+    ck_assert(tumble_body_set_sensor(w, eye, true));
+    ck_assert(tumble_body_set_kind(w, eye, TUMBLE_DYNAMIC));
+    run(w, 1);
+    ck_assert_double_lt(tumble_body_position(w, eye).y, -4);
+    expect_fine(w);
+    tumble_world_free(w);
+}
+END_TEST
+
+// The hand of a crane: it goes along with what it is fixed to, weighs, and sees what
+// comes between.
+START_TEST(a_sensor_that_a_joint_holds_goes_along)
+{
+    tumble_world *w = with_floor();
+    tumble_body hand = add_kind(w, TUMBLE_KINEMATIC, -4, 2.2, 0);
+    tumble_body eye = add_box(w, -4, 1, 0), box = add_box(w, 0, 0.5, 0), in[4];
+    tumble_joint j = tumble_joint_fixed(w, hand, eye, tumble_v(-4, 1.6, 0));
+    ck_assert(tumble_body_set_sensor(w, eye, true));
+    ck_assert(tumble_body_set_velocity(w, hand, tumble_v(2, 0, 0),
+                                       tumble_v(0, 0, 0)));
+    run(w, 1);
+    near(tumble_body_position(w, eye).x, -2, 1e-3);
+    near(tumble_body_position(w, eye).y, 1, 1e-3);
+    near(tumble_joint_force(w, j), 2 * 9.81, 1e-2);
+    ck_assert_int_eq(tumble_body_sensed(w, eye, in, 4), 0);
+    run(w, 1);
+    ck_assert_int_eq(tumble_body_sensed(w, eye, in, 4), 1);
+    ck_assert(is_same(in[0], box));
+    near(tumble_body_position(w, box).x, 0, 1e-4);
+    expect_fine(w);
     tumble_world_free(w);
 }
 END_TEST
@@ -1164,6 +1209,8 @@ int main(void)
         a_lock_goes_with_the_pose_that_is_set_and_can_be_taken_off,
         a_sensor_sees_what_goes_through_it_and_stops_nothing,
         a_sensor_sees_what_its_filter_lets_in,
+        a_dynamic_sensor_falls_through_all,
+        a_sensor_that_a_joint_holds_goes_along,
         an_event_says_where_and_how_hard,
         a_bounce_is_told_with_its_impulse,
         a_world_that_is_put_back_does_the_same_again,

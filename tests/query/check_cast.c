@@ -15,18 +15,18 @@ static const real fine = 1e-10;
 static const vec3 cube[8] = {
     { -1, -1, -1 }, { 1, -1, -1 }, { -1, 1, -1 }, { 1, 1, -1 },
     { -1, -1,  1 }, { 1, -1,  1 }, { -1, 1,  1 }, { 1, 1,  1 } };
-static const rounded block = { { cube, 8 }, 0 };
+static const rounded block = { { cube, 8 }, 0, 0 };
 
 static const vec3 middle = { 0, 0, 0 };
-static const rounded ball = { { &middle, 1 }, 2 };
+static const rounded ball = { { &middle, 1 }, 2, 0 };
 
 static const vec3 ends[2] = { { 0, -3, 0 }, { 0, 3, 0 } };
-static const rounded capsule = { { ends, 2 }, 1 };
+static const rounded capsule = { { ends, 2 }, 1, 0 };
 
 static cast_result ray(vec3 from, vec3 to, rounded b)
 {
     vec3 scratch[16];
-    return cast_first((rounded){ { &from, 1 }, 0 }, vec3_sub(to, from), b,
+    return cast_first((rounded){ { &from, 1 }, 0, 0 }, vec3_sub(to, from), b,
                       scratch);
 }
 
@@ -143,7 +143,7 @@ START_TEST(a_body_that_goes_meets_with_its_own_extent)
 {
     vec3 at[8], scratch[16];
     for (int k = 0; k < 8; k++) at[k] = vec3_add(cube[k], (vec3){ 9, 9, 0 });
-    rounded a = { { at, 8 }, .5 };
+    rounded a = { { at, 8 }, .5, 0 };
     vec3 down = { 0, -10, 0 }, left = { -10, 0, 0 };
     cast_result r = cast_first_plane(a, down, (plane){ { 0, 1, 0 }, 2 });
     ck_assert(r.hits);
@@ -161,7 +161,7 @@ END_TEST
 START_TEST(a_plane_is_met_from_its_free_side_only)
 {
     vec3 above = { 1, 3, 2 };
-    rounded tip = { { &above, 1 }, 0 };
+    rounded tip = { { &above, 1 }, 0, 0 };
     plane floor = { { 0, 1, 0 }, 1 };
     ck_assert(!cast_first_plane(tip, (vec3){ 0, 5, 0 }, floor).hits);
     ck_assert(!cast_first_plane(tip, (vec3){ 0, -1.9, 0 }, floor).hits);
@@ -194,8 +194,8 @@ END_TEST
 START_TEST(bodies_overlap_when_their_radii_reach)
 {
     vec3 there = { 3.5, 0, 0 };
-    ck_assert(cast_overlaps(ball, (rounded){ { &there, 1 }, 1.51 }));
-    ck_assert(!cast_overlaps(ball, (rounded){ { &there, 1 }, 1.49 }));
+    ck_assert(cast_overlaps(ball, (rounded){ { &there, 1 }, 1.51, 0 }));
+    ck_assert(!cast_overlaps(ball, (rounded){ { &there, 1 }, 1.49, 0 }));
     ck_assert(cast_overlaps(ball, block));
 }
 END_TEST
@@ -206,9 +206,9 @@ START_TEST(what_is_not_finite_meets_nothing)
     ck_assert(!ray(lost, middle, block).hits);
     ck_assert(!ray((vec3){ -5, 0, 0 }, far, block).hits);
     ck_assert(!cast_nearest(lost, block, 1).hits);
-    ck_assert(!cast_overlaps((rounded){ { &lost, 1 }, 1 }, block));
+    ck_assert(!cast_overlaps((rounded){ { &lost, 1 }, 1, 0 }, block));
     ck_assert(!cast_nearest_plane(lost, (plane){ { 0, 1, 0 }, 0 }, 1).hits);
-    rounded tip = { { &lost, 1 }, 0 };
+    rounded tip = { { &lost, 1 }, 0, 0 };
     plane floor = { { 0, 1, 0 }, 0 };
     ck_assert(!cast_first_plane(tip, (vec3){ 0, -9, 0 }, floor).hits);
 }

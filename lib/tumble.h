@@ -111,9 +111,10 @@ typedef struct {
     double time_to_sleep;   // s, 0.5
     bool   certified;       // cloth never crosses cloth, whatever is demanded:
                             // where it must, it is stopped and stretches for it,
-                            // and the report says so; false.  A frame of cloth
-                            // costs up to three tenths more, and twice as
-                            // much or more where it acts
+                            // and the report says so; true.  A frame of cloth
+                            // costs up to three tenths more, and several times
+                            // as much where it acts; false: turn it off for
+                            // cloth that may cross
 
     // Runs work(data, 0) to work(data, items - 1) in any order, or at once on
     // several threads, and returns when all are done; NULL: one by one.  The
@@ -158,7 +159,7 @@ typedef struct {
                             // stretched by a hundredth, and bodies that were
                             // stopped, for their numbers were lost: that is a
                             // failure, too, and has a sentence
-    int prevented;          // if options say certified: pairs of triangles of
+    int prevented;          // unless options say otherwise: pairs of triangles of
                             // cloth that were kept from crossing each other, for
                             // what was asked for could not be;
     int crossed;            // and that cross, as they did before

@@ -7,6 +7,7 @@
 
 #include <stddef.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum { FEW = 4 };       // cells of a part that has no boxes within
 
@@ -228,7 +229,7 @@ static void keep(const frame_look *l, const witness *w)
 {
     certificate *c = l->c;
     if (l->tells) tell(c, *w);
-    if (c->keeps < WITNESSES * c->particles) c->kept[c->keeps] = *w;
+    if (c->keeps < c->room) c->kept[c->keeps] = *w;
     c->keeps++;
 }
 
@@ -433,6 +434,12 @@ static void leave_out(const frame_look *l, const certified_set set[2])
     }
 }
 
+// More clash than there are vertices: no move of them parts so many.
+static bool is_hopeless(const certificate *c)
+{
+    return c->clashes > c->vertices;
+}
+
 static bool is_beside_crossed(const frame_look *l, const certified_set *s)
 {
     bool some = false;
@@ -444,7 +451,7 @@ static void part_facets(const frame_look *l, certified_set a, certified_set b)
 {
     certificate *c = l->c;
     certified_set set[2] = { a, b };
-    if (has_plane(l, set)) return;
+    if (is_hopeless(c) || has_plane(l, set)) return;
     vec3 where, n = nearest_difference(l, set, 1);
     real gap = gap_of(l, set, 1, n, &where);
     bool is_crossed = !(gap > c->rounding);
@@ -535,7 +542,7 @@ static void look_between(const frame_look *l, cell_part a, cell_part b)
 {
     cell_part half[2];
     int cells = cells_in(a.cells), others = cells_in(b.cells);
-    if (!is_in_look(l, a.cells) || !is_in_look(l, b.cells)
+    if (is_hopeless(l->c) || !is_in_look(l, a.cells) || !is_in_look(l, b.cells)
         || are_parted(l, a, b)) return;
     if (cells == 1 && others == 1) {
         part_cells(l, a.cells, b.cells);
@@ -595,11 +602,13 @@ static bool is_asked(const frame_look *l, int a, int b)
         && (soft_moves(f, a) || soft_moves(f, b)) && soft_meets(f, a, b);
 }
 
-// Pairs that no plane parts are in `clash` afterwards.
+// Pairs that no plane parts are in `clash` afterwards.  What found no room in
+// the last look may find some in this.
 static void look_at_all(const frame_look *l)
 {
     certificate *c = l->c;
     int bodies = l->f->bodies;
+    TABLE_RENEW(c->kept, c->room, c->keeps);
     c->clashes = c->left_out = c->keeps = 0;
     c->is_boxed = false;
     for (int b = 0; b < bodies; b++)
@@ -613,6 +622,7 @@ static void look_at_all(const frame_look *l)
             else        look_between(l, whole_of(l, a), whole_of(l, b));
         }
     c->made = c->keeps;
+    if (is_hopeless(c)) c->keeps = 0;
 }
 //<
 
@@ -620,6 +630,46 @@ static void look_at_all(const frame_look *l)
 //>   A moment later most witnesses still hold, and to ask one is far cheaper
 //>   than to find it: only its other end is new. Most have so much room that
 //>   they need not even be asked. What one has lost is proved again.
+static real way_between(const vec3 *from, const vec3 *to, int a, int b)
+{
+    return vec3_length_squared(vec3_sub(vec3_sub(to[a], from[a]),
+                                        vec3_sub(to[b], from[b])));
+}
+
+static real way_to_neighbours(const vec3 *from, const vec3 *to, const body *x)
+{
+    int columns = x->shape->columns, n = columns * x->shape->rows;
+    real most = 0;
+    for (int i = 0; i < n; i++) {
+        int v = x->first + i;
+        if ((i + 1) % columns > 0)
+            most = real_max(most, way_between(from, to, v, v + 1));
+        if (i + columns < n)
+            most = real_max(most, way_between(from, to, v, v + columns));
+    }
+    return most;
+}
+
+// How far have they gone from each other, from there to where they are?
+static void measure_ways(const frame_look *l, const vec3 *from)
+{
+    certificate *c = l->c;
+    vec3 low = { HUGE_VAL, HUGE_VAL, HUGE_VAL }, high = vec3_scale(-1, low);
+    real most = 0;
+    for (int b = 0; b < l->f->bodies; b++) {
+        const body *x = &l->f->body[b];
+        if (!is_certified(l->f, b)) continue;
+        most = real_max(most, way_to_neighbours(from, c->at[1], x));
+        for (int v = x->first; v < x->first + body_particles(x); v++) {
+            vec3 way = vec3_sub(c->at[1][v], from[v]);
+            low = low_corner(low, way);
+            high = high_corner(high, way);
+        }
+    }
+    c->apart = vec3_distance(low, high);
+    c->bent = sqrt(most);
+}
+
 // Neighbours' ways differ by little, and those of others by no more than the
 // sum from neighbour to neighbour.
 static real way_of(const certificate *c, const witness *w)
@@ -674,32 +724,61 @@ static void look_at_windows(const frame_look *l, const frame_look *now)
     }
 }
 
-// Those found now stand behind those that were kept, and move up.
+// What clashed has no witness, and is asked as well.
+static void look_at_clashes(const frame_look *l, int n)
+{
+    certificate *c = l->c;
+    c->clashes = 0;
+    for (int k = 0; k < n; k++) {
+        facet_clash x = c->clash[k];
+        part_facets(l, x.set[0], x.set[1]);
+    }
+}
+
+static bool is_lost(const witness *w)
+{
+    if (w->kind == WITNESS_WINDOW || w->kind == WITNESS_ASKED) return false;
+    return w->kind == WITNESS_LOST || !(w->slack > 0);
+}
+
+// Of the first n those that hold, and behind them those found now, move up.
+static void move_up(certificate *c, int n)
+{
+    int held = 0, all = int_min(c->keeps, c->room);
+    for (int k = 0; k < all; k++)
+        if (k >= n || !is_lost(&c->kept[k])) {
+            if (held < k) c->kept[held] = c->kept[k];
+            held++;
+        }
+    if (c->keeps <= c->room) c->keeps = held;
+}
+
+// Where it is hopeless, all that was kept stays, to be asked of another end.
 static void look_again(const frame_look *l)
 {
     certificate *c = l->c;
-    int n = c->keeps, held = 0, room = WITNESSES * c->particles;
+    int n = c->keeps, clashed = is_hopeless(c) ? 0 : c->clashes;
     frame_look now = *l;
     now.from = ENDS - 1;
-    c->clashes = c->left_out = 0;
+    c->left_out = 0;
     c->is_boxed = false;
+    look_at_clashes(l, clashed);
     look_at_windows(l, &now);
+    int windows = c->keeps;
     for (int k = 0; k < n; k++) {
         witness *w = &c->kept[k];
-        bool is_set = w->kind == WITNESS_WINDOW || w->kind == WITNESS_ASKED;
-        if (!is_set && (w->kind == WITNESS_LOST || !holds(&now, w)))
-            prove_again(l, w);
-        else if (held++ < k) c->kept[held - 1] = *w;
+        if (w->kind == WITNESS_WINDOW || w->kind == WITNESS_ASKED) continue;
+        if (is_hopeless(c))         w->slack -= way_of(c, w);
+        else if (w->kind == WITNESS_LOST || !holds(&now, w)) prove_again(l, w);
     }
-    for (int k = n; k < int_min(c->keeps, room); k++)
-        c->kept[held++] = c->kept[k];
-    if (c->keeps <= room) c->keeps = held;
+    if (is_hopeless(c)) c->keeps = clashed > 0 ? 0 : windows;
+    else                move_up(c, n);
 }
 
 static bool is_all_kept(const frame_look *l)
 {
     const certificate *c = l->c;
-    return c->keeps > 0 && c->keeps <= WITNESSES * c->particles;
+    return c->keeps > 0 && c->keeps <= c->room;
 }
 
 // Is what is kept about what is asked for, and not worn to pieces?
@@ -798,7 +877,14 @@ static void part_clash(const frame_look *l, const facet_clash *x)
 
 //> certificate-as-one
 //>   What still clashes makes a patch with all that it clashes with, which goes
-//>   as one, by its mean way: so its momentum is left to it.
+//>   as one, by its mean way: so its momentum is left to it. Where more clash
+//>   than there are vertices, whole cloths make a patch, and a share of what
+//>   each goes beyond the mean is left as well.
+static vec3 way_at(const certificate *c, int v)
+{
+    return vec3_sub(c->at[1][v], c->at[0][v]);
+}
+
 static int patch_of(certificate *c, int v)
 {
     while (c->of[v].patch != v) {
@@ -808,20 +894,44 @@ static int patch_of(certificate *c, int v)
     return v;
 }
 
-static void join(certificate *c, const facet_clash *x)
+static void forget_patches(certificate *c)
 {
-    int first = patch_of(c, x->set[0].vertex[0]);
-    for (int i = 0; i < 2; i++)
-        for (int k = 0; k < x->set[i].count; k++)
-            c->of[patch_of(c, x->set[i].vertex[k])].patch = first;
+    for (int v = 0; v < c->particles; v++) {
+        c->of[v].patch = v;
+        c->of[v].is_whole = false;
+    }
+}
+
+static void join(certificate *c, int v, int to)
+{
+    int first = patch_of(c, to);
+    c->of[patch_of(c, v)].patch = first;
     c->of[first].is_whole = true;
 }
 
-static void go_as_one(const frame_look *l)
+static void join_clash(certificate *c, const facet_clash *x)
+{
+    for (int i = 0; i < 2; i++)
+        for (int k = 0; k < x->set[i].count; k++)
+            join(c, x->set[i].vertex[k], x->set[0].vertex[0]);
+}
+
+static void join_cloths(const frame_look *l, const facet_clash *x)
+{
+    int first = l->f->body[x->set[0].part.cells.body].first;
+    for (int i = 0; i < 2; i++) {
+        const body *b = &l->f->body[x->set[i].part.cells.body];
+        int patch = patch_of(l->c, b->first);
+        if (l->c->of[patch].is_whole && patch == patch_of(l->c, first)) continue;
+        for (int v = b->first; v < b->first + body_particles(b); v++)
+            join(l->c, v, first);
+    }
+}
+
+// They keep this share of what they go beyond the mean way of their patch.
+static void go_as_one(const frame_look *l, real share)
 {
     certificate *c = l->c;
-    for (int k = 0; k < int_min(c->clashes, c->particles); k++)
-        join(c, &c->clash[k]);
     for (int v = 0; v < c->particles; v++) {
         c->of[v].way = (vec3){ 0, 0, 0 };
         c->of[v].mass = 0;
@@ -830,43 +940,85 @@ static void go_as_one(const frame_look *l)
         certified_vertex *p = &c->of[patch_of(c, v)];
         if (!p->is_whole) continue;
         real m = weight_of(l, v);
-        vec3 way = vec3_sub(c->at[1][v], c->at[0][v]);
-        p->way = vec3_add_scaled(p->way, m, way);
+        p->way = vec3_add_scaled(p->way, m, way_at(c, v));
         p->mass += m;
     }
     for (int v = 0; v < c->particles; v++) {
         const certified_vertex *p = &c->of[patch_of(c, v)];
-        if (p->is_whole && !is_fixed(l, v))
-            c->at[1][v] = vec3_add_scaled(c->at[0][v], 1 / p->mass, p->way);
+        if (!p->is_whole || is_fixed(l, v)) continue;
+        vec3 mean = vec3_scale(1 / p->mass, p->way);
+        vec3 beyond = vec3_sub(way_at(c, v), mean);
+        c->at[1][v] = vec3_add(c->at[0][v],
+                               vec3_add_scaled(mean, share, beyond));
     }
 }
 
-// Before all of it stands still for a frame.
-enum { PARTINGS = 4, ATTEMPTS = 4, ROUNDS = 60 };
+static void patches_go(const frame_look *l)
+{
+    certificate *c = l->c;
+    for (int k = 0; k < c->clashes; k++) join_clash(c, &c->clash[k]);
+    go_as_one(l, 0);
+}
+
+static void cloths_go(const frame_look *l)
+{
+    static const real LESS = 0.25;          // tuned, of what is beyond the mean
+    certificate *c = l->c;
+    forget_patches(c);
+    for (int k = 0; k < c->vertices; k++) join_cloths(l, &c->clash[k]);
+    go_as_one(l, LESS);
+    forget_patches(c);
+}
+
+// Ends have been put elsewhere since the last look.
+static void look(const frame_look *l)
+{
+    if (may_look_again(l)) look_again(l);
+    else                   look_at_all(l);
+}
+
+static void look_after(const frame_look *l, void put(const frame_look *l))
+{
+    certificate *c = l->c;
+    memcpy(c->seen, c->at[1], (size_t)c->particles * sizeof *c->seen);
+    if (is_hopeless(c)) cloths_go(l);
+    else                put(l);
+    measure_ways(l, c->seen);
+    look(l);
+}
+
+static void part_clashes(const frame_look *l)
+{
+    enum { ATTEMPTS = 4 };
+    const certificate *c = l->c;
+    for (int i = 0; i < ATTEMPTS * c->clashes; i++)
+        part_clash(l, &c->clash[i % c->clashes]);
+}
+
+static void stand_still(const frame_look *l)
+{
+    certificate *c = l->c;
+    for (int v = 0; v < c->particles; v++)
+        if (!is_fixed(l, v)) c->at[1][v] = c->at[0][v];
+}
+
+// Before all of it stands still for a piece.
+enum { PARTINGS = 4, ROUNDS = 16 };
 
 static void certify(const frame_look *l)
 {
     certificate *c = l->c;
-    bool is_new = !may_look_again(l);
-    if (!is_new) look_again(l);
-    if (is_new || c->clashes + c->left_out > 0) look_at_all(l);
-    if (c->left_out > 0) look_at_all(l);
+    measure_ways(l, c->at[0]);
+    look(l);
+    // Those beside what crossed are known now.
+    if (c->left_out > 0) look(l);
     c->prevented = c->clashes;
-    for (int k = 0; k < PARTINGS && c->clashes > 0; k++) {
-        int n = int_min(c->clashes, c->particles);
-        for (int i = 0; i < ATTEMPTS * n; i++) part_clash(l, &c->clash[i % n]);
-        look_at_all(l);
-    }
-    for (int v = 0; v < c->particles && c->clashes > 0; v++) {
-        c->of[v].patch = v;
-        c->of[v].is_whole = false;
-    }
-    for (int k = 0; k < ROUNDS && c->clashes > 0; k++) {
-        go_as_one(l);
-        look_at_all(l);
-    }
-    for (int v = 0; v < c->particles && c->clashes > 0; v++)
-        if (!is_fixed(l, v)) c->at[1][v] = c->at[0][v];
+    for (int k = 0; k < PARTINGS && c->clashes > 0; k++)
+        look_after(l, part_clashes);
+    if (c->clashes > 0) forget_patches(c);
+    for (int k = 0; k < ROUNDS && c->clashes > 0; k++)
+        look_after(l, patches_go);
+    if (c->clashes > 0) stand_still(l);
 }
 //<
 
@@ -887,8 +1039,10 @@ static void take_back(const frame_look *l, int v)
 static void copy_positions(certificate *c, const soft_frame *f, int end)
 {
     real most = 0;
+    c->vertices = 0;
     for (int b = 0; b < f->bodies; b++) {
         if (!is_certified(f, b)) continue;
+        c->vertices += body_particles(&f->body[b]);
         int n = f->body[b].first + body_particles(&f->body[b]);
         for (int v = f->body[b].first; v < n; v++) {
             vec3 x = f->particle[v].position;
@@ -943,45 +1097,6 @@ static void tell_all(const frame_look *l)
     else look_at_all(&aloud);
 }
 
-static real way_between(const certificate *c, int a, int b)
-{
-    return vec3_length_squared(vec3_sub(vec3_sub(c->at[1][a], c->at[0][a]),
-                                        vec3_sub(c->at[1][b], c->at[0][b])));
-}
-
-static real way_to_neighbours(const certificate *c, const body *x)
-{
-    int columns = x->shape->columns, n = columns * x->shape->rows;
-    real most = 0;
-    for (int i = 0; i < n; i++) {
-        int v = x->first + i;
-        if ((i + 1) % columns > 0)
-            most = real_max(most, way_between(c, v, v + 1));
-        if (i + columns < n)
-            most = real_max(most, way_between(c, v, v + columns));
-    }
-    return most;
-}
-
-static void measure_ways(const frame_look *l)
-{
-    certificate *c = l->c;
-    vec3 low = { HUGE_VAL, HUGE_VAL, HUGE_VAL }, high = vec3_scale(-1, low);
-    real most = 0;
-    for (int b = 0; b < l->f->bodies; b++) {
-        const body *x = &l->f->body[b];
-        if (!is_certified(l->f, b)) continue;
-        most = real_max(most, way_to_neighbours(c, x));
-        for (int v = x->first; v < x->first + body_particles(x); v++) {
-            vec3 way = vec3_sub(c->at[1][v], c->at[0][v]);
-            low = low_corner(low, way);
-            high = high_corner(high, way);
-        }
-    }
-    c->apart = vec3_distance(low, high);
-    c->bent = sqrt(most);
-}
-
 // What is proved begins the next way.
 static void begin_next(certificate *c)
 {
@@ -1000,12 +1115,10 @@ void certificate_end(certificate *c, const soft_frame *f)
     c->prevented = c->left_out = 0;
     if (is_still || !(c->since > 0)) return;
     copy_positions(c, f, 1);
-    measure_ways(&l);
     for (int v = 0; v < c->particles; v++) c->of[v].crossed = false;
     certify(&l);
-    bool is_proved = c->clashes + c->left_out == 0;
     if (c->read) tell_all(&l);
-    if (!is_proved) c->keeps = 0;
+    if (c->clashes > 0) c->keeps = c->clashes = 0;
     for (int b = 0; b < f->bodies && c->prevented > 0; b++) {
         if (!is_certified(f, b)) continue;
         int n = f->body[b].first + body_particles(&f->body[b]);
@@ -1024,9 +1137,12 @@ status certificate_grow(certificate *c, int kept, int particles)
     TABLE_GROW(ok, c->of, kept, particles);
     TABLE_GROW(ok, c->box, 2 * kept, 2 * particles);
     TABLE_GROW(ok, c->clash, kept, particles);
-    TABLE_GROW(ok, c->kept, WITNESSES * kept, WITNESSES * particles);
+    TABLE_GROW(ok, c->seen, kept, particles);
+    int room = int_max(WITNESSES * particles, c->room);
+    TABLE_GROW(ok, c->kept, c->room, room);
     if (!ok) return status_out_of_memory();
     c->particles = particles;
+    c->room = room;
     return status_ok();
 }
 
@@ -1037,6 +1153,7 @@ void certificate_free(certificate *c)
     free(c->box);
     free(c->clash);
     free(c->kept);
+    free(c->seen);
     *c = (certificate){ .particles = 0 };
 }
 //<

@@ -20,7 +20,7 @@
 //> certificate-witness
 //>   What has been proved, anybody can prove again with dot products.
 enum { ENDS = 2 };      // a frame, or a part of it, begins, and ends
-enum { WITNESSES = 6 }; // for so many a particle there is room
+enum { WITNESSES = 6 }; // for so many a particle there is room at first
 
 // Cells of a cloth: from here to before there, in columns and rows.
 typedef struct {
@@ -96,15 +96,18 @@ typedef struct {
     swept_box *box;             // [2 particles] of parts, see halve
     facet_clash *clash;         // [particles]
     int particles;              // for so many there is room
+    int vertices;               // of all cloths
     int clashes;                // in this look, that found room or not
     real rounding;              // m, no gap is wrong by as much
     real since;                 // s, since all was where it is at first
     real apart, bent;           // m, no two of them went further from each
                                 // other, and no two neighbours
     bool is_boxed;              // the boxes are of this look
-    witness *kept;              // [WITNESSES particles]: they prove that where
+    vec3 *seen;                 // [particles] where ends were in the last look
+    witness *kept;              // [room]: they prove that where
     int keeps;                  // all is at first none crosses; so many, or
                                 // would be: 0: nothing is proved
+    int room;                   // for so many: it grows with them
     int made;                   // so many there were when all were found
     witness_reader *read;       // NULL, or is told of every witness of the
     void *to;                   // frame that was accepted

@@ -197,13 +197,13 @@ static void rigid_view_store(rigid_view *v, store *s)
 // What a certificate has proved is asked again in the next frame.
 static void certificate_store(certificate *c, store *s)
 {
-    int room = WITNESSES * c->particles;
-    bool is_proved = c->keeps > 0 && c->keeps <= room;
+    bool is_proved = c->keeps > 0 && c->keeps <= c->room;
     int n = is_proved ? c->particles : 0;
     STORE_TABLE(s, c->at[0], n, c->particles);
     STORE_ROOM(s, c->at[1], c->particles);
     STORE_TABLE(s, c->of, n, c->particles);
-    STORE_TABLE(s, c->kept, is_proved ? c->keeps : 0, room);
+    STORE_TABLE(s, c->kept, is_proved ? c->keeps : 0, c->room);
+    STORE_ROOM(s, c->seen, c->particles);
     STORE_ROOM(s, c->box, 2 * c->particles);
     STORE_ROOM(s, c->clash, c->particles);
     STORE_FORGET(s, c->read);

@@ -24,6 +24,7 @@ world_options world_options_default(void)
         // What an eye does not see move, and for so long.
         .sleep_speed = 0.005,       // tuned, m/s
         .time_to_sleep = 0.5,       // tuned, s
+        .certified = true,
         // Columns and rows of a cloth are solved in turn.
         .iterations = 40,           // tuned, iterations
         .relax = { ROOT_EXACT, GRADIENT_OLD, 1e-9, 0 },

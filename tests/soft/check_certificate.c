@@ -394,6 +394,37 @@ START_TEST(what_is_free_keeps_its_momentum_and_loses_its_approach)
 }
 END_TEST
 
+// Two sheets are crumpled and thrown through each other: more pairs clash than
+// there are vertices.  Rejects: all stands still; each goes by its own mean way,
+// and through the other.
+static void ask_too_much(unsigned long long seed)
+{
+    vec3 way, place, way_then, place_then;
+    real most = 0;
+    lay(&seed, 0.5 * SPACING);
+    begin();
+    for (int v = 0; v < ALL; v++) {
+        start[v] = at[v].position;
+        move(v, vec3_add(vec3_make(0, v < EACH ? 0.6 : -0.2, 0),
+                         vec3_scale(3 * SPACING, any(&seed))));
+    }
+    sums(&way, &place);
+    certificate_end(&proof, &frame);
+    sums(&way_then, &place_then);
+    ck_assert_int_gt(proof.prevented, ALL);
+    ck_assert_int_eq(crossing_now(), 0);
+    ck_assert(vec3_distance(way, way_then) < 1e-12);
+    for (int v = 0; v < ALL; v++)
+        most = fmax(most, vec3_distance(start[v], at[v].position));
+    ck_assert(most > 0.1 * SPACING);
+}
+
+START_TEST(what_asks_for_too_much_goes_a_part_of_it_and_keeps_its_momentum)
+{
+    for (unsigned k = 300; k < 308; k++) ask_too_much(k);
+}
+END_TEST
+
 // An upright sheet stands through a lying one, and is drawn up and out.
 START_TEST(what_crosses_already_is_left_out_and_goes_its_way)
 {
@@ -468,6 +499,7 @@ int main(void)
         what_crosses_already_is_left_out_and_goes_its_way,
         lost_numbers_end_and_harm_no_other_sheet,
         what_was_proved_is_asked_again_if_nothing_else_moved_it,
+        what_asks_for_too_much_goes_a_part_of_it_and_keeps_its_momentum,
         NULL
     };
     return suite_run((suite){

@@ -127,8 +127,9 @@ static bool is_certified(const soft_frame *f, int b)
 // Only if they are asked for.
 static void box_all(const frame_look *l)
 {
-    for (int b = 0; b < l->f->bodies && !l->c->is_boxed; b++)
-        if (is_certified(l->f, b)) box_part(l, whole_of(l, b));
+    const soft_frame *f = l->f;
+    for (int n = 0; n < f->softs && !l->c->is_boxed; n++)
+        if (is_certified(f, f->soft[n])) box_part(l, whole_of(l, f->soft[n]));
     l->c->is_boxed = true;
 }
 //<
@@ -607,14 +608,15 @@ static bool is_asked(const frame_look *l, int a, int b)
 static void look_at_all(const frame_look *l)
 {
     certificate *c = l->c;
-    int bodies = l->f->bodies;
+    const int *soft = l->f->soft, softs = l->f->softs;
     TABLE_RENEW(c->kept, c->room, c->keeps);
     c->clashes = c->left_out = c->keeps = 0;
     c->is_boxed = false;
-    for (int b = 0; b < bodies; b++)
-        if (is_certified(l->f, b)) find_windows(l, whole_of(l, b));
-    for (int b = 0; b < bodies; b++)
-        for (int a = 0; a <= b; a++) {
+    for (int n = 0; n < softs; n++)
+        if (is_certified(l->f, soft[n])) find_windows(l, whole_of(l, soft[n]));
+    for (int n = 0; n < softs; n++)
+        for (int m = 0; m <= n; m++) {
+            int a = soft[m], b = soft[n];
             if (!is_asked(l, a, b)) continue;
             witness w = asked(l, a, b);
             keep(l, &w);
@@ -656,9 +658,9 @@ static void measure_ways(const frame_look *l, const vec3 *from)
     certificate *c = l->c;
     vec3 low = { HUGE_VAL, HUGE_VAL, HUGE_VAL }, high = vec3_scale(-1, low);
     real most = 0;
-    for (int b = 0; b < l->f->bodies; b++) {
-        const body *x = &l->f->body[b];
-        if (!is_certified(l->f, b)) continue;
+    for (int n = 0; n < l->f->softs; n++) {
+        const body *x = &l->f->body[l->f->soft[n]];
+        if (!is_certified(l->f, l->f->soft[n])) continue;
         most = real_max(most, way_to_neighbours(from, c->at[1], x));
         for (int v = x->first; v < x->first + body_particles(x); v++) {
             vec3 way = vec3_sub(c->at[1][v], from[v]);
@@ -785,10 +787,12 @@ static bool is_all_kept(const frame_look *l)
 static bool may_look_again(const frame_look *l)
 {
     const certificate *c = l->c;
+    const int *soft = l->f->soft;
     int k = 0;
     if (!is_all_kept(l) || c->keeps > 2 * c->made) return false;
-    for (int b = 0; b < l->f->bodies; b++)
-        for (int a = 0; a <= b; a++) {
+    for (int n = 0; n < l->f->softs; n++)
+        for (int m = 0; m <= n; m++) {
+            int a = soft[m], b = soft[n];
             if (!is_asked(l, a, b)) continue;
             witness w = asked(l, a, b);
             while (k < c->keeps && c->kept[k].kind != WITNESS_ASKED) k++;
@@ -1040,19 +1044,18 @@ static void copy_positions(certificate *c, const soft_frame *f, int end)
 {
     real most = 0;
     c->vertices = 0;
-    for (int b = 0; b < f->bodies; b++) {
-        if (!is_certified(f, b)) continue;
-        c->vertices += body_particles(&f->body[b]);
-        int n = f->body[b].first + body_particles(&f->body[b]);
-        for (int v = f->body[b].first; v < n; v++) {
-            vec3 x = f->particle[v].position;
-            if (end > 0 && !vec3_is_finite(x)) x = c->at[0][v];
-            vec3 was = c->at[0][v];
-            if (end == 0 && !(x.x == was.x && x.y == was.y && x.z == was.z))
+    for (int n = 0; n < f->softs; n++) {
+        const body *x = &f->body[f->soft[n]];
+        if (!is_certified(f, f->soft[n])) continue;
+        c->vertices += body_particles(x);
+        for (int v = x->first; v < x->first + body_particles(x); v++) {
+            vec3 at = f->particle[v].position, was = c->at[0][v];
+            if (end > 0 && !vec3_is_finite(at)) at = was;
+            if (end == 0 && !(at.x == was.x && at.y == was.y && at.z == was.z))
                 c->keeps = 0;
-            most = real_max(real_max(fabs(x.x), fabs(x.y)),
-                            real_max(fabs(x.z), most));
-            c->at[end][v] = x;
+            most = real_max(real_max(fabs(at.x), fabs(at.y)),
+                            real_max(fabs(at.z), most));
+            c->at[end][v] = at;
         }
     }
     c->rounding = real_max(end == 0 ? 0 : c->rounding, 0x1p-40 * most);
@@ -1073,11 +1076,11 @@ bool certificate_is_due(certificate *c, const soft_frame *f)
     real spacing = HUGE_VAL;
     c->since += f->h;
     if (!(c->since * (f->stiff_substeps + 1) > f->frame)) return false;
-    for (int b = 0; b < f->bodies; b++) {
-        if (!is_certified(f, b)) continue;
-        int n = f->body[b].first + body_particles(&f->body[b]);
-        spacing = real_min(spacing, f->body[b].shape->spacing);
-        for (int v = f->body[b].first; v < n; v++) {
+    for (int n = 0; n < f->softs; n++) {
+        const body *x = &f->body[f->soft[n]];
+        if (!is_certified(f, f->soft[n])) continue;
+        spacing = real_min(spacing, x->shape->spacing);
+        for (int v = x->first; v < x->first + body_particles(x); v++) {
             vec3 way = vec3_sub(f->particle[v].position, c->at[0][v]);
             low = low_corner(low, way);
             high = high_corner(high, way);
@@ -1110,8 +1113,9 @@ void certificate_end(certificate *c, const soft_frame *f)
 {
     frame_look l = { .c = c, .f = f };
     bool is_still = true;
-    for (int b = 0; b < f->bodies; b++)
-        is_still = is_still && !(is_certified(f, b) && soft_moves(f, b));
+    for (int n = 0; n < f->softs; n++)
+        is_still = is_still && !(is_certified(f, f->soft[n])
+                                 && soft_moves(f, f->soft[n]));
     c->prevented = c->left_out = 0;
     if (is_still || !(c->since > 0)) return;
     copy_positions(c, f, 1);
@@ -1119,10 +1123,11 @@ void certificate_end(certificate *c, const soft_frame *f)
     certify(&l);
     if (c->read) tell_all(&l);
     if (c->clashes > 0) c->keeps = c->clashes = 0;
-    for (int b = 0; b < f->bodies && c->prevented > 0; b++) {
-        if (!is_certified(f, b)) continue;
-        int n = f->body[b].first + body_particles(&f->body[b]);
-        for (int v = f->body[b].first; v < n; v++) take_back(&l, v);
+    for (int n = 0; n < f->softs && c->prevented > 0; n++) {
+        const body *x = &f->body[f->soft[n]];
+        if (!is_certified(f, f->soft[n])) continue;
+        for (int v = x->first; v < x->first + body_particles(x); v++)
+            take_back(&l, v);
     }
     begin_next(c);
 }

@@ -1267,7 +1267,7 @@ END_TEST
 // change pulls at the rope, until it holds the weights up.
 START_TEST(weights_over_a_drum_go_as_atwood_says)
 {
-    enum { LINKS = 60 };
+    enum { DRUM_LINKS = 60 };
     tumble_world *w = tumble_world_make(NULL);
     tumble_body_options o = tumble_body_at(0, 0, 0);
     o.kind = TUMBLE_STATIC;
@@ -1277,21 +1277,21 @@ START_TEST(weights_over_a_drum_go_as_atwood_says)
     o = tumble_body_at(0, 0.24, 0);
     o.damping = 4;
     o.friction = 0;
-    tumble_body rope = tumble_body_add(w, tumble_shape_rope(w, LINKS, 3, 0.05),
+    tumble_body rope = tumble_body_add(w, tumble_shape_rope(w, DRUM_LINKS, 3, 0.05),
                                        o);
     tumble_body weight[2];
-    tumble_body_pin(w, rope, LINKS / 2);
+    tumble_body_pin(w, rope, DRUM_LINKS / 2);
     for (int i = 0; i < 2; i++) {
-        tumble_vec3 end = tumble_body_vertex(w, rope, i * LINKS);
+        tumble_vec3 end = tumble_body_vertex(w, rope, i * DRUM_LINKS);
         o = tumble_body_at(end.x, end.y, end.z);
         o.damping = 4;
         o.mask = 0;
         tumble_shape ball = tumble_shape_sphere(w, 0.05, i ? 1.5 : 1);
         weight[i] = tumble_body_add(w, ball, o);
-        tumble_joint_hang(w, rope, i * LINKS, weight[i]);
+        tumble_joint_hang(w, rope, i * DRUM_LINKS, weight[i]);
     }
     run(w, 6);
-    tumble_body_unpin(w, rope, LINKS / 2);
+    tumble_body_unpin(w, rope, DRUM_LINKS / 2);
     tumble_body_set_damping(w, rope, 0, 0);
     for (int i = 0; i < 2; i++) tumble_body_set_damping(w, weight[i], 0, 0);
     double from = tumble_body_position(w, weight[1]).y, t = 0.4;

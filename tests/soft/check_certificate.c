@@ -21,6 +21,7 @@ static bool asleep[SHEETS];
 static particle at[ALL];
 static certificate proof;
 static soft_frame frame;
+static const int both[SHEETS] = { 0, 1 };
 
 static void set_up(void)
 {
@@ -32,6 +33,7 @@ static void set_up(void)
     proof = (certificate){ .particles = 0 };
     ck_assert(certificate_grow(&proof, 0, ALL).ok);
     frame = (soft_frame){ .body = sheet, .asleep = asleep, .bodies = SHEETS,
+                          .soft = both, .softs = SHEETS,
                           .particle = at, .frame = FRAME, .whole = FRAME,
                           .age = AGE, .h = AGE,
                           .stiff_substeps = 16 };

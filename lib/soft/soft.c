@@ -332,7 +332,7 @@ static void choose_pace(soft_solver *s)
     s->pressed = 0;
 }
 
-static bool is_nailed(const soft_frame *f, const body *b)
+static bool is_pinned(const soft_frame *f, const body *b)
 {
     const particle *p = f->particle + b->first;
     bool some = false;
@@ -349,7 +349,7 @@ void soft_begin(soft_solver *s, const soft_frame *f)
     for (int b = 0; b < f->bodies; b++) {
         bool is_soft = body_is_soft(&f->body[b]);
         s->ahead[b] = is_soft ? predict(f, b) : f->ahead[b];
-        s->held[b] |= is_soft && is_nailed(f, &f->body[b]);
+        s->held[b] |= is_soft && is_pinned(f, &f->body[b]);
     }
     near_begin(&s->near, f, s->ahead);
     if (f->certified) certificate_begin(&s->proof, f);

@@ -53,13 +53,6 @@ int world_usual(const world *w, bool is_stiff)
 
 //> world-check
 //>   Options are checked once, so that no step needs to doubt them.
-static status check_range(const char *name, real value, real least, real most)
-{
-    if (value >= least && value <= most) return status_ok();
-    return status_fail("%s is %g; it must lie between %g and %g",
-                       name, value, least, most);
-}
-
 // Names the first option that is out of its range (NaN is out of every range).
 static status check_options(const world_options *o)
 {
@@ -78,14 +71,13 @@ static status check_options(const world_options *o)
         { "root",          o->relax.root,      0, ROOT_APPROXIMATE },
         { "gradient",      o->relax.gradient,  0, GRADIENT_OLD },
     };
-    for (size_t i = 0; i < sizeof rule / sizeof *rule; i++) {
-        status s = check_range(rule[i].name, rule[i].value,
-                               rule[i].least, rule[i].most);
-        if (!s.ok) return s;
-    }
-    if (!vec3_is_finite(o->gravity))
-        return status_fail("gravity is not finite");
-    return status_ok();
+    for (size_t k = 0; k < sizeof rule / sizeof *rule; k++)
+        if (!(rule[k].value >= rule[k].least && rule[k].value <= rule[k].most))
+            return status_fail("%s is %g; it must lie between %g and %g",
+                               rule[k].name, rule[k].value, rule[k].least,
+                               rule[k].most);
+    return vec3_is_finite(o->gravity) ? status_ok()
+                                      : status_fail("gravity is not finite");
 }
 //<
 

@@ -155,8 +155,9 @@ typedef struct {
     int pairs, contacts;    // of rigid bodies: that may meet; that touch, or
                             // will soon
     int unconverged;        // contacts that overlap by a tenth of the smaller
-                            // body's radius, ropes and cloths that are
-                            // stretched by a hundredth, and bodies that were
+                            // body's radius, joints apart by a hundredth of
+                            // it, ropes and cloths that are stretched by a
+                            // hundredth, and bodies that were
                             // stopped, for their numbers were lost: that is a
                             // failure, too, and has a sentence
     int prevented;          // unless options say otherwise: pairs of triangles of

@@ -923,6 +923,10 @@ static real apart(const joint *j, const joint_rows *r)
     return sqrt(e[0] * e[0] + e[1] * e[1] + e[2] * e[2]);
 }
 
+// A joint whose points are apart by more than this, as a share of its smaller
+// body's radius, is not held.
+static const real PARTED = 0.01;            // tuned, radii
+
 // What is far apart comes together no faster than an overlap goes.
 static real share_of(const linkage *l, int k, const solver_frame *f)
 {
@@ -949,12 +953,14 @@ static void find_rows_of(linkage *l, const linkage_pass *q, int k)
              + j->extra;
     r->share = share_of(l, k, q->f);
     l->worst = real_max(l->worst, apart(j, r));
+    l->parted += apart(j, r) > PARTED * r->size;
     if (l->role[k] == JOINT_ALONE) factor_alone(l, q, k);
 }
 
 static void find_rows(linkage *l, const linkage_pass *q)
 {
     l->worst = 0;
+    l->parted = 0;
     for (int k = 0; k < l->count; k++)
         if (l->role[k] != JOINT_IDLE) find_rows_of(l, q, k);
     for (int s = 0; s < l->steps; s++)
@@ -1099,6 +1105,7 @@ void linkage_rewind(linkage *l, const linkage_pass *q)
 void linkage_prepare(linkage *l, const linkage_pass *q)
 {
     l->worst = 0;
+    l->parted = 0;
     if (l->count == 0) return;
     l->frames++;
     choose_roles(l, q);

@@ -106,8 +106,10 @@ static void solve_rung(world *w, int k, real *since)
     lap(w, PHASE_PREPARE, since);
     go(w, f, since);
     solver_store(&t->solver, w->options.host.run, t->cache.active);
-    if (r->hangs)
+    if (r->hangs) {
         w->report.parted = real_max(w->report.parted, w->joints.worst);
+        w->report.unconverged += w->joints.parted;
+    }
     t->awake = awake;
     t->awakes = awakes;
 }

@@ -882,8 +882,7 @@ static void part_clash(const frame_look *l, const facet_clash *x)
 //> certificate-as-one
 //>   What still clashes makes a patch with all that it clashes with, which goes
 //>   as one, by its mean way: so its momentum is left to it. Where more clash
-//>   than there are vertices, whole cloths make a patch, and a share of what
-//>   each goes beyond the mean is left as well.
+//>   than there are vertices, whole cloths make a patch.
 static vec3 way_at(const certificate *c, int v)
 {
     return vec3_sub(c->at[1][v], c->at[0][v]);
@@ -932,8 +931,7 @@ static void join_cloths(const frame_look *l, const facet_clash *x)
     }
 }
 
-// They keep this share of what they go beyond the mean way of their patch.
-static void go_as_one(const frame_look *l, real share)
+static void go_as_one(const frame_look *l)
 {
     certificate *c = l->c;
     for (int v = 0; v < c->particles; v++) {
@@ -950,10 +948,7 @@ static void go_as_one(const frame_look *l, real share)
     for (int v = 0; v < c->particles; v++) {
         const certified_vertex *p = &c->of[patch_of(c, v)];
         if (!p->is_whole || is_fixed(l, v)) continue;
-        vec3 mean = vec3_scale(1 / p->mass, p->way);
-        vec3 beyond = vec3_sub(way_at(c, v), mean);
-        c->at[1][v] = vec3_add(c->at[0][v],
-                               vec3_add_scaled(mean, share, beyond));
+        c->at[1][v] = vec3_add_scaled(c->at[0][v], 1 / p->mass, p->way);
     }
 }
 
@@ -961,16 +956,15 @@ static void patches_go(const frame_look *l)
 {
     certificate *c = l->c;
     for (int k = 0; k < c->clashes; k++) join_clash(c, &c->clash[k]);
-    go_as_one(l, 0);
+    go_as_one(l);
 }
 
 static void cloths_go(const frame_look *l)
 {
-    static const real LESS = 0.25;          // tuned, of what is beyond the mean
     certificate *c = l->c;
     forget_patches(c);
     for (int k = 0; k < c->vertices; k++) join_cloths(l, &c->clash[k]);
-    go_as_one(l, LESS);
+    go_as_one(l);
     forget_patches(c);
 }
 

@@ -28,7 +28,7 @@ convert() {
     format=$1; shift
     pandoc -f "$reader" \
         -t "$format" --standalone --mathml --section-divs --wrap=none \
-        --highlight-style=kate --lua-filter $here/page.lua "$@"
+        --no-highlight --lua-filter $here/page.lua "$@"
 }
 # SITE_URL, if the site has an address: what is passed on says it.
 site() {
@@ -199,7 +199,7 @@ case $form in
 page) opened | awk -f $here/page.awk | turn --metadata pagetitle="$(title "$page")" ;;
 index) awk -f $here/index.awk $here/index.md README.md | site --metadata home=true --metadata pagetitle="a world of particles and sticks" \
         --metadata description="A course and a C library in one tree: rigid bodies, cloth, rope and joints, made of nothing but particles and sticks, and running in the page." ;;
-search) { book; tasks | awk -f $here/page.awk; } |
+search) { book; tasks | awk -f $here/page.awk; } | awk '/^```/ { code = !code; next } !code' |
         pandoc -f "$reader" -t plain --wrap=none --lua-filter $here/search.lua -o "$file" ;;
 write) write | awk -f $here/page.awk | site --metadata write="$page" \
         --metadata description="An exercise in C, written, compiled and judged in the page." --metadata pagetitle="$(sed -n '1s/^# //p' "exercises/$page/README.md")" ;;

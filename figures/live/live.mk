@@ -66,7 +66,7 @@ live_floor   = $(call FLOOR,$(or $(FLOOR_$1),$(call live_chapter,$1)))
 # --- On this machine ------------------------------------------------------------
 $(BUILD)/live/%.o: figures/live/%.c $(BUILD)/flags
 	$(compile)
-$(LIVE_PROGRAMS): $(BUILD)/live/%: $(BUILD)/live/%.o $(BUILD)/live/live.o \
+$(LIVE_PROGRAMS): $(BUILD)/live/%: $(BUILD)/live/%.o $(BUILD)/live/live.o $(BUILD)/live/live_soft.o \
   $(BUILD)/live/live_main.o $(BUILD)/live/live_film.o $$(addprefix $(BUILD)/,$$(WITH_$$*)) $$(call live_floor,$$*)
 	$(call link,-lm)
 .PHONY: live-programs
@@ -110,7 +110,7 @@ WASM_MINE := $(addprefix $(BUILD)/wasm/mine/,$(notdir $(MINE:.c=.o)))
 live_objects = $(filter-out $(WASM_MINE:$(BUILD)/wasm/mine/%=$(OURS)/wasm/lib/%),\
   $(subst $(BUILD)/lib/,$(OURS)/wasm/lib/,$(call live_floor,$1))) $(WASM_MINE)
 $(LIVE:%=$(BUILD)/wasm/%.wasm): $(BUILD)/wasm/%.wasm: $(OURS)/wasm/live/%.o \
-  $(OURS)/wasm/live/live.o $(OURS)/wasm/live/live_wasm.o \
+  $(OURS)/wasm/live/live.o $(OURS)/wasm/live/live_soft.o $(OURS)/wasm/live/live_wasm.o \
   $$(addprefix $(OURS)/wasm/,$$(WITH_$$*)) $$(call live_objects,$$*)
 	@echo "  link  $@"
 	$(Q)$(WASM) $(WASM_LINK) $^ -o $@

@@ -259,8 +259,10 @@ static void draw_skin(int k, live_colour c)
     tumble_body_vertices(world, all[k], vertex, n);
     for (int i = 0; i < n; i++) at[i] = drawn(vertex[i]);
     int number = tumble_body_mass(world, all[k]) > 0 ? k : -1;
-    if (faces > 0) live_mesh(number, c, at, n, face, faces, faces < 2 * n - 4 || n > ROUND);
-    for (int i = 0; !faces && i + 1 < n; i++) live_tube(number, c, at[i], at[i + 1], 0.02);
+    if (faces == 0)           live_rope(number, c, at, n, 0.02);
+    else if (number < 0 && faces == 2 * n - 4) live_ground(c, at, face, faces, 0.25);
+    else if (is_soft(all[k])) live_cloth(number, c, at, n, face, faces);
+    else live_mesh(number, c, at, n, face, faces, faces < 2 * n - 4 || n > ROUND);
     free(vertex);
     free(at);
 }

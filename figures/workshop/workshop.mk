@@ -65,7 +65,7 @@ $(WORKED:%=$(WORKSHOP)/%-judged.js): $(WORKSHOP)/%-judged.js: $(WORKSHOP)/%.js ;
 FIGURED := $(foreach e,$(WORKED),$(if $(FIGURE_$e),$e))
 figured = $(firstword $(FIGURE_$1))
 define figured_rule
-$(WORKSHOP)/figure-$1.js: $(addprefix $(OURS)/wasm/,live/$(call figured,$1).o live/live.o live/live_wasm.o $(WITH_$(call figured,$1))) \
+$(WORKSHOP)/figure-$1.js: $(addprefix $(OURS)/wasm/,live/$(call figured,$1).o live/live.o live/live_soft.o live/live_wasm.o $(WITH_$(call figured,$1))) \
   $(filter-out $(OURS)/wasm/lib/$(lastword $(FIGURE_$1)).o,$(subst $(OURS)/lib/,$(OURS)/wasm/lib/,$(call live_floor,$(call figured,$1))))
 	@echo "  pack  $$@"
 	$$(Q)node figures/workshop/pack.mjs figure $(call figured,$1) $$^ > $$@

@@ -34,6 +34,7 @@ const fault = (page, sentence) => { faults++; console.log(`${page}: ${sentence}`
 async function open(context, name) {
   const page = await context.newPage();
   page.setDefaultTimeout(WAIT);
+  await unpainted(page);
   page.on('console', said => said.type() === 'error' && fault(name, `the console says: ${said.text()}`));
   page.on('pageerror', error => fault(name, `an error: ${error.message}`));
   page.on('request', request => {

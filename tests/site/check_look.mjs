@@ -83,6 +83,9 @@ await together(TOGETHER, chapters, async name => {
   figures += count;
   const placed = await page.locator('figure[data-small], [data-race]').count(), listed = openings.filter(line => `${line[0]}.html` === name).length;
   check(placed === listed, `${name} has all of its small figures (openings.txt): ${placed} of ${listed}`);
+  const parted = await page.evaluate(() => [...document.querySelectorAll('figure[data-small], [data-race]')]
+    .filter(figure => /:\s*$/.test(figure.previousElementSibling?.textContent ?? '')).map(figure => figure.id));
+  check(!parted.length, `${name}: nothing stands between a sentence with a colon and what it announces: ${parted}`);
   // One idea each: what has no chart has one dial at most.
   const many = await page.evaluate(() => [...document.querySelectorAll('.live-small')]
     .filter(figure => figure.querySelectorAll('.live-dial, .live-choice').length > 1).map(figure => figure.id));
@@ -107,6 +110,14 @@ await together(TOGETHER, chapters, async name => {
     return Math.min(box.bottom, innerHeight) - Math.max(box.top, 0) < 0.9 * box.height;
   }).map(figure => figure.id));
   check(!gone.length, `${name}: the stage is seen while the last dial turns: ${gone}`);
+  // Who goes back with Tab comes to a dial from below.
+  const behind = await page.evaluate(() => [...document.querySelectorAll('.live-figure input')].filter(input => {
+    scrollTo(0, document.body.scrollHeight);
+    input.focus();
+    const box = input.getBoundingClientRect(), stage = input.closest('.live-figure').querySelector('.live-stage').getBoundingClientRect();
+    return box.top < stage.bottom - 2;
+  }).map(input => input.closest('figure').id));
+  check(!behind.length, `${name}: a dial that is come to from below is not behind its stage: ${behind}`);
   await page.close();
 });
 

@@ -5,6 +5,7 @@
 #include "live.h"
 #include "view.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 enum { SCENE, NEW, TOUCH, WIND, GRAVITY };      // dials
@@ -289,9 +290,23 @@ static void on_line(void *context, tumble_body b, const tumble_vec3 at[2])
     live_tube(-1, LIVE_QUIET, drawn(at[0]), drawn(at[1]), 0.008);
 }
 
+// On an empty floor a ring shows where what is put in will fall.
+static void draw_ring(void)
+{
+    enum { ARCS = 48 };
+    vec3 before = { 0.35, 0.002, 0 };
+    for (int k = 1; k <= ARCS; k++) {
+        real angle = 2 * 3.14159265358979 * k / ARCS;
+        vec3 here = { 0.35 * cos(angle), 0.002, 0.35 * sin(angle) };
+        live_edge(LIVE_QUIET, before, here);
+        before = here;
+    }
+}
+
 static void draw(void)
 {
     if (!world) return;
+    if (bodies == 0) draw_ring();
     tumble_pen pen = { on_triangle, on_line, NULL, NULL };
     for (int k = 0; k < bodies; k++) {
         int faces;

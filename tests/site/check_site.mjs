@@ -5,7 +5,7 @@
 import { readdirSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
 import { resolve } from 'node:path';
-import { launch, needs, together } from './browser.mjs';
+import { launch, needs, together, unpainted } from './browser.mjs';
 import { serve } from './server.mjs';
 import { checkLinks } from './links.mjs';
 

@@ -386,6 +386,7 @@ STAGES := $(shell sed -n 's/^\([0-9][0-9][a-z]\) .*/\1/p' chapters/little/stages
 STAGE  := $(filter-out little little-film little-films little-page,$(MAKECMDGOALS))
 .PHONY: little little-film little-films little-page little-measured little-beside little-rows $(filter-out $(CHAPTERS),$(STAGES))
 little-measured:
+	$(Q)CC='$(CC)' BUILD='$(BUILD)' sh chapters/little/little.sh printed > $(BUILD)/printed.txt && mv $(BUILD)/printed.txt chapters/little/printed.txt
 	$(Q)CC='$(CC)' BUILD='$(BUILD)' sh chapters/little/little.sh measured > $(BUILD)/measured.csv && mv $(BUILD)/measured.csv chapters/little/measured.csv
 	$(Q)BUILD='$(BUILD)' sh chapters/little/little.sh table > $(BUILD)/stages.csv && mv $(BUILD)/stages.csv figures/tables/stages.csv
 little-film little-films little-page:

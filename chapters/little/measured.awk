@@ -1,3 +1,4 @@
-# measured.awk - a stage's printed lines, NAME VALUE UNIT, as CSV: stage and name,
-# value, unit.   awk -v stage=01b -f measured.awk printed.txt
+# measured.awk - what stages print, NAME VALUE UNIT, as CSV: stage and name, value,
+# unit.   awk -f measured.awk printed.txt
+/^= / { stage = $2; next }
 { name = $0; sub(/ +[^ ]+ +[^ ]+$/, "", name); gsub(/,/, "", name); print stage " " name "," $(NF - 1) "," $NF }

@@ -28,7 +28,7 @@ convert() {
     format=$1; shift
     pandoc -f "$reader" \
         -t "$format" --standalone --mathml --section-divs --wrap=none \
-        --highlight-style=kate --lua-filter $here/page.lua "$@"
+        --no-highlight --lua-filter $here/page.lua "$@"
 }
 # SITE_URL, if the site has an address: what is passed on says it.
 site() {
@@ -54,24 +54,25 @@ turn() {
 }
 
 # The chapter, and its small figures, each after the paragraph that begins so; the one
-# without such words after the first of the chapter's question (openings.txt).
+# without such words after the first of the chapter's question (openings.txt).  One
+# that announces what is below it, with a colon, has its figure above.
 opened() {
     awk -v page="$page" -F ' *[|] *' '
         function shows(k) {
             print "![" says[k] "](../../figures/live/" figure[k] ".webp){.small" (dial[k] == "race" ? " race=\"" set[k] "\"" : (dial[k] == "" ? "" : " dial=" dial[k]) (set[k] == "" ? "" : " set=\"" set[k] "\"")) "}\n"
         }
+        function announces() { return /:$/ }
         FILENAME ~ /openings/ {
             if ($1 == page) { n++; begins[n] = $2; figure[n] = $3; dial[n] = $4; set[n] = $5; says[n] = $6 }
             next
         }
-        { print }
         /^```/ { code = !code }
-        code { next }
-        /^## / && !asked { asked = near = 1; next }
-        near == 1 && /./ { near = 2; next }
-        near == 2 { for (k = 1; k <= n; k++) if (begins[k] == "") shows(k); near = 0 }
-        { if (after) { shows(after); after = 0 }
-          for (k = 1; k <= n; k++) if (begins[k] != "" && index($0, begins[k]) == 1) after = k }
+        code || /^```/ { print; next }
+        /^## / && !asked { asked = near = 1; print; next }
+        near == 1 && /./ { near = 0; for (k = 1; k <= n; k++) if (begins[k] == "") { if (announces()) shows(k); else after = k } }
+        { for (k = 1; k <= n; k++) if (begins[k] != "" && index($0, begins[k]) == 1) { if (announces()) shows(k); else after = k }
+          print
+          if (after && !/./) { shows(after); after = 0 } }
     ' $here/openings.txt "chapters/woven/$page.md"
 }
 
@@ -199,7 +200,7 @@ case $form in
 page) opened | awk -f $here/page.awk | turn --metadata pagetitle="$(title "$page")" ;;
 index) awk -f $here/index.awk $here/index.md README.md | site --metadata home=true --metadata pagetitle="a world of particles and sticks" \
         --metadata description="A course and a C library in one tree: rigid bodies, cloth, rope and joints, made of nothing but particles and sticks, and running in the page." ;;
-search) { book; tasks | awk -f $here/page.awk; } |
+search) { book; tasks | awk -f $here/page.awk; } | awk '/^```/ { code = !code; next } !code' |
         pandoc -f "$reader" -t plain --wrap=none --lua-filter $here/search.lua -o "$file" ;;
 write) write | awk -f $here/page.awk | site --metadata write="$page" \
         --metadata description="An exercise in C, written, compiled and judged in the page." --metadata pagetitle="$(sed -n '1s/^# //p' "exercises/$page/README.md")" ;;

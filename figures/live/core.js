@@ -58,7 +58,7 @@ function read(core, at) {
     return new Float32Array(buffer, where, count);
   };
   const out = {};
-  for (const name of ['flat', 'place', 'normal', 'tint', 'ball', 'tube', 'edge', 'edgeTint'])
+  for (const name of ['flat', 'place', 'normal', 'tint', 'weave', 'ball', 'tube', 'edge', 'edgeTint'])
     out[name] = list();
   out.corner = new Int32Array(buffer, whole[next], whole[next + 1]);
   const letter = whole[next + 3];
@@ -68,7 +68,7 @@ function read(core, at) {
   next += CHARTS * LINES;
   out.said = text(bytes, 4 * next);
   out.lit = text(bytes, 4 * next + 200);
-  const double = (4 * next + 280) / 8, all = new Float64Array(buffer);
+  const double = Math.ceil((4 * next + 280) / 8), all = new Float64Array(buffer);
   out.hit = all[double];
   out.value = (chart, line) => all[double + 1 + chart * LINES + line];
   const curve = double + 1 + CHARTS * LINES;

@@ -166,11 +166,6 @@ static void measure(void)
     else live_say("The worst stick is wrong by %.1f %%.", 100 * p.strain);
 }
 
-static void draw_rope(const vec3 *at, int n)
-{
-    for (int i = 1; i < n; i++) live_tube(BELOW, LIVE_ORANGE, at[i - 1], at[i], ROPE_RADIUS);
-}
-
 static void draw_pins(void)
 {
     for (int k = 0; k < PINS; k++)
@@ -181,9 +176,9 @@ static void draw(void)
 {
     if (!is_ready) return;
     const shape *below = scene_shape(&run.scene, BELOW), *cloth = scene_shape(&run.scene, ON_TOP);
-    if (below->kind == SHAPE_ROPE) draw_rope(places(BELOW), below->particles);
+    if (below->kind == SHAPE_ROPE) live_rope(BELOW, LIVE_ORANGE, places(BELOW), below->particles, ROPE_RADIUS);
     else live_mesh(-1, LIVE_GREY, places(BELOW), below->particles, below->face, below->mesh.faces, false);
-    live_mesh(ON_TOP, LIVE_BLUE, places(ON_TOP), cloth->particles, cloth->face, cloth->mesh.faces, true);
+    live_cloth(ON_TOP, LIVE_BLUE, places(ON_TOP), cloth->particles, cloth->face, cloth->mesh.faces);
     draw_pins();
 }
 

@@ -175,9 +175,12 @@ static void measure(void)
 static void draw_rope(int b, live_colour c)
 {
     const body *x = &now.w.body[b];
-    real radius = real_max(x->thickness, 0.012) * view_scale();
-    for (int i = 0; i + 1 < x->shape->particles; i++)
-        live_tube(b, c, view_of(particle_at(x, i)), view_of(particle_at(x, i + 1)), radius);
+    int n = x->shape->particles;
+    vec3 *at = malloc((size_t)n * sizeof *at);
+    if (!at) abort();
+    for (int i = 0; i < n; i++) at[i] = view_of(particle_at(x, i));
+    live_rope(b, c, at, n, real_max(x->thickness, 0.012) * view_scale());
+    free(at);
 }
 
 static void draw_body(int b, live_colour c)
@@ -188,7 +191,8 @@ static void draw_body(int b, live_colour c)
     if (!at) abort();
     world_skin(&now.w, x, at);
     for (int i = 0; i < skin.points; i++) at[i] = view_of(at[i]);
-    live_mesh(x->mass < HUGE_VAL ? b : -1, c, at, skin.points, skin.face, skin.faces, body_is_soft(x) || skin.points > 32);
+    if (x->shape->kind == SHAPE_CLOTH) live_cloth(b, c, at, skin.points, skin.face, skin.faces);
+    else live_mesh(x->mass < HUGE_VAL ? b : -1, c, at, skin.points, skin.face, skin.faces, body_is_soft(x) || skin.points > 32);
     free(at);
 }
 

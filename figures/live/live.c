@@ -191,15 +191,19 @@ void live_handle(int number, live_colour c, vec3 at, const char *name)
 }
 
 // --- Drawings in space --------------------------------------------------------
-static int vertex(vec3 at, vec3 normal, live_colour c)
+static const vec3 BARE = { 0, 0, LIVE_PLAIN };
+
+int live_vertex(vec3 at, vec3 normal, live_colour c, real shade, vec3 weave)
 {
+    const float *t = palette[c], s = (float)shade;
     put(&page.place, 3, (float[]){ (float)at.x, (float)at.y, (float)at.z });
     put(&page.normal, 3, (float[]){ (float)normal.x, (float)normal.y, (float)normal.z });
-    put(&page.tint, 3, palette[c]);
+    put(&page.tint, 3, (float[]){ s * t[0], s * t[1], s * t[2] });
+    put(&page.weave, 3, (float[]){ (float)weave.x, (float)weave.y, (float)weave.z });
     return page.place.count / 3 - 1;
 }
 
-static void triangle(int number, int a, int b, int c)
+void live_triangle(int number, int a, int b, int c)
 {
     page.corner = grow(page.corner, &page.corner_room, page.corners + 3, sizeof *page.corner);
     page.owner = grow(page.owner, &page.owner_room, page.corners / 3 + 1, sizeof *page.owner);
@@ -219,26 +223,33 @@ static void mesh_flat(int number, live_colour c, const vec3 *at,
 {
     for (const int *f = face; f < face + 3 * faces; f += 3) {
         vec3 n = vec3_unit(face_normal(at, f));
-        int first = vertex(at[f[0]], n, c);
-        vertex(at[f[1]], n, c);
-        vertex(at[f[2]], n, c);
-        triangle(number, first, first + 1, first + 2);
+        int first = live_vertex(at[f[0]], n, c, 1, BARE);
+        live_vertex(at[f[1]], n, c, 1, BARE);
+        live_vertex(at[f[2]], n, c, 1, BARE);
+        live_triangle(number, first, first + 1, first + 2);
     }
 }
 
-// Smooth: a vertex has the mean normal of its faces, by area.
-static void mesh_smooth(int number, live_colour c, const vec3 *at, int n,
-                        const int *face, int faces)
+vec3 *live_normals(const vec3 *at, int n, const int *face, int faces)
 {
     vec3 *normal = calloc((size_t)n + 1, sizeof *normal);
     if (!normal) abort();
     for (const int *f = face; f < face + 3 * faces; f += 3)
         for (int k = 0; k < 3; k++)
             normal[f[k]] = vec3_add(normal[f[k]], face_normal(at, f));
+    for (int i = 0; i < n; i++) normal[i] = vec3_unit(normal[i]);
+    return normal;
+}
+
+// Smooth: a vertex has the mean normal of its faces.
+static void mesh_smooth(int number, live_colour c, const vec3 *at, int n,
+                        const int *face, int faces)
+{
+    vec3 *normal = live_normals(at, n, face, faces);
     int first = page.place.count / 3;
-    for (int i = 0; i < n; i++) vertex(at[i], vec3_unit(normal[i]), c);
+    for (int i = 0; i < n; i++) live_vertex(at[i], normal[i], c, 1, BARE);
     for (const int *f = face; f < face + 3 * faces; f += 3)
-        triangle(number, first + f[0], first + f[1], first + f[2]);
+        live_triangle(number, first + f[0], first + f[1], first + f[2]);
     free(normal);
 }
 
@@ -283,7 +294,7 @@ void page_paint(int colour, double r, double g, double b)
 const live_page *page_draw(void)
 {
     live_list *const list[] = { &page.flat, &page.place, &page.normal, &page.tint,
-                                &page.ball, &page.tube, &page.edge, &page.edge_tint };
+                                &page.weave, &page.ball, &page.tube, &page.edge, &page.edge_tint };
     for (size_t k = 0; k < sizeof list / sizeof *list; k++) list[k]->count = 0;
     page.corners = page.letters = 0;
     figure.draw();

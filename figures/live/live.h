@@ -50,7 +50,8 @@ typedef struct {
     double distance;            // 0: the figure is flat
     double turn, rise;          // rad, from +z towards +x; above the horizon
     vec3   target;
-    bool   has_floor;           // at y = 0, for shadows
+    bool   has_floor;           // for shadows
+    double floor;               // m, its height
 } live_camera_plan;
 
 // Lists end at the first entry without a name (panes: without a width).
@@ -122,6 +123,13 @@ void live_handle(int number, live_colour c, vec3 at, const char *name);
 // In space.  number: what move, release and tap are told; -1: not to be touched.
 void live_mesh(int number, live_colour c, const vec3 *at, int n,
                const int *face, int faces, bool smooth);
+// A cloth, row by row, by the faces of its shape: woven, and with a hem.
+void live_cloth(int number, live_colour c, const vec3 *at, int n,
+                const int *face, int faces);
+// A rope through n places, of two strands.
+void live_rope(int number, live_colour c, const vec3 *at, int n, real radius);
+// A flat mesh whose upper sides are tiled, a square to `side` metres.
+void live_ground(live_colour c, const vec3 *at, const int *face, int faces, real side);
 void live_ball(int number, live_colour c, vec3 at, real radius);
 void live_tube(int number, live_colour c, vec3 a, vec3 b, real radius);
 void live_edge(live_colour c, vec3 a, vec3 b);          // a thin line

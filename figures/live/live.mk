@@ -66,19 +66,11 @@ live_floor   = $(call FLOOR,$(or $(FLOOR_$1),$(call live_chapter,$1)))
 # --- On this machine ------------------------------------------------------------
 $(BUILD)/live/%.o: figures/live/%.c $(BUILD)/flags
 	$(compile)
-$(LIVE_PROGRAMS): $(BUILD)/live/%: $(BUILD)/live/%.o $(BUILD)/live/live.o \
+$(LIVE_PROGRAMS): $(BUILD)/live/%: $(BUILD)/live/%.o $(BUILD)/live/live.o $(BUILD)/live/live_soft.o \
   $(BUILD)/live/live_main.o $(BUILD)/live/live_film.o $$(addprefix $(BUILD)/,$$(WITH_$$*)) $$(call live_floor,$$*)
 	$(call link,-lm)
 .PHONY: live-programs
 live-programs: $(LIVE_PROGRAMS)
-# What the page builds before the figure itself is there: dials, charts, hashes.
-ifeq ($(OURS),$(BUILD))
-$(OURS)/live/%.json: $(OURS)/live/%
-	$(Q)$< --panel > $@
-else
-$(OURS)/live/%.json: FORCE
-	$(Q)$(AGAIN) -s MINE= BUILD=$(OURS) $@
-endif
 
 # --- In the browser -------------------------------------------------------------
 # The default stack of 64 kB is too small for some scenes, and where it ends
@@ -118,12 +110,26 @@ WASM_MINE := $(addprefix $(BUILD)/wasm/mine/,$(notdir $(MINE:.c=.o)))
 live_objects = $(filter-out $(WASM_MINE:$(BUILD)/wasm/mine/%=$(OURS)/wasm/lib/%),\
   $(subst $(BUILD)/lib/,$(OURS)/wasm/lib/,$(call live_floor,$1))) $(WASM_MINE)
 $(LIVE:%=$(BUILD)/wasm/%.wasm): $(BUILD)/wasm/%.wasm: $(OURS)/wasm/live/%.o \
-  $(OURS)/wasm/live/live.o $(OURS)/wasm/live/live_wasm.o \
+  $(OURS)/wasm/live/live.o $(OURS)/wasm/live/live_soft.o $(OURS)/wasm/live/live_wasm.o \
   $$(addprefix $(OURS)/wasm/,$$(WITH_$$*)) $$(call live_objects,$$*)
 	@echo "  link  $@"
 	$(Q)$(WASM) $(WASM_LINK) $^ -o $@
 $(OURS)/wasm/%.d: ;
 -include $(wildcard $(OURS)/wasm/*/*.d)
+
+# What the page builds before the figure itself is there: dials, charts, hashes.  A
+# program that only tells of the figure needs nothing of the library; the lines that
+# it reads of it are newer when the figure is.
+$(LIVE:%=$(OURS)/wasm/%-panel.wasm): %-panel.wasm: $(OURS)/wasm/live/$$(notdir $$*).o $(OURS)/wasm/live/live_panel.o
+	$(Q)$(WASM) -Wl,--unresolved-symbols=ignore-all,--gc-sections $^ -o $@
+ifeq ($(OURS),$(BUILD))
+$(LIVE:%=$(OURS)/live/%.json): $(OURS)/live/%.json: $(OURS)/wasm/%-panel.wasm $(OURS)/wasm/%.wasm tests/bits/bits.txt figures/live/panel.mjs
+	$(Q)mkdir -p $(@D)
+	$(Q)node --no-warnings figures/live/panel.mjs $< tests/bits/bits.txt $@
+else
+$(OURS)/live/%.json: FORCE
+	$(Q)$(AGAIN) -s MINE= BUILD=$(OURS) $@
+endif
 
 # A plain script, since file:// lets no other in.
 $(LIVE:%=$(BUILD)/live/%.js): $(BUILD)/live/%.js: $(BUILD)/wasm/%.wasm

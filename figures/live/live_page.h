@@ -22,10 +22,14 @@ typedef struct {
     int    count, room;
 } live_list;
 
+// What covers a surface: nothing, the squares of a woven cloth, tiles.
+typedef enum { LIVE_PLAIN, LIVE_WOVEN, LIVE_TILED } live_weave;
+
 // core.js reads this as numbers of four bytes, in this order.
 typedef struct {
     live_list flat;             // items of the panes (live.c: item)
     live_list place, normal, tint;  // x y z of each vertex of the meshes
+    live_list weave;            // across, along, live_weave of each
     live_list ball, tube;       // 8 and 11 numbers each
     live_list edge, edge_tint;  // x y z of each end of the thin lines
     int  *corner, corners, corner_room; // of triangles: which vertices
@@ -56,6 +60,13 @@ PAGE(paint)   void page_paint(int colour, double r, double g, double b);
 // What does a ray meet first?  Its number, or -1.
 PAGE(pick)    int  page_pick(double x, double y, double z,
                              double ax, double ay, double az);
+
+// What meshes are made of.  A vertex: its colour is made darker by shade (1: not),
+// and weave says across and along, in squares, and which.  Returns its number.
+int  live_vertex(vec3 at, vec3 normal, live_colour c, real shade, vec3 weave);
+void live_triangle(int number, int a, int b, int c);
+// The mean normal of each vertex, by the area of its faces; to be freed.
+vec3 *live_normals(const vec3 *at, int n, const int *face, int faces);
 
 // On this machine: prints the figure's first two seconds as an SVG film.
 void live_film(void);

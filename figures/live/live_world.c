@@ -30,7 +30,7 @@ void live_world_body(const world *w, int b, live_colour c)
     vec3 *at = malloc((size_t)skin.points * sizeof *at);
     if (!at) abort();
     world_skin(w, &w->body[b], at);
-    bool is_smooth = s->round > 0 || s->kind == SHAPE_CLOTH;
-    live_mesh(b, c, at, skin.points, skin.face, skin.faces, is_smooth);
+    if (s->kind == SHAPE_CLOTH) live_cloth(b, c, at, skin.points, skin.face, skin.faces);
+    else live_mesh(b, c, at, skin.points, skin.face, skin.faces, s->round > 0);
     free(at);
 }

@@ -124,7 +124,7 @@ static void move(int number, vec3 to)
 static live_colour colour_of(int k)
 {
     static const live_colour RING[] = { LIVE_RED, LIVE_PURPLE, LIVE_BLUE, LIVE_GREEN };
-    return turns[k] == 0 ? LIVE_RULE : RING[int_min(distance(k), 4) - 1];
+    return turns[k] == 0 ? LIVE_QUIET : RING[int_min(distance(k), 4) - 1];
 }
 
 static void draw_count(int k)
@@ -134,9 +134,24 @@ static void draw_count(int k)
     if (turns[k] > 1) live_label(colour_of(k), vec3_add(middle, vec3_make(-0.04, -0.04, 0)), word[int_min(turns[k], 9)]);
 }
 
+// The net as a strip of cloth: its sticks, and what lies between them.
+static void draw_net(void)
+{
+    for (int row = 0; row + 1 < ROWS; row++) {
+        vec3 strip[2 * COLUMNS];
+        for (int i = 0; i < COLUMNS; i++) {
+            strip[i] = p[row * COLUMNS + i].position;
+            strip[2 * COLUMNS - 1 - i] = p[(row + 1) * COLUMNS + i].position;
+        }
+        live_band(LIVE_GREY, strip, 2 * COLUMNS);
+    }
+    for (int i = 0; i < PARTICLES; i++) live_dot(LIVE_QUIET, p[i].position, 3);
+}
+
 static void draw(void)
 {
     int now = is_ready && at < length() ? entry(at) : -1;
+    draw_net();
     for (int k = 0; k < sticks; k++)
         if (k != now) live_line(colour_of(k), (vec3[]){ p[s[k].a].position, p[s[k].b].position }, 2);
     for (int k = 0; k < sticks; k++) draw_count(k);
@@ -159,7 +174,7 @@ const live_figure figure = {
     .name = "ruler",
     .says = "A flat net of sticks; one after the other is corrected, in the order of the list of the particle that was struck",
     .code = "lib/particles/ordering.c write_list",
-    .pane = { { -3.1, -1.6, 6.2, 3.0 } },
+    .pane = { { -2.6, -1.45, 5.2, 2.3 } },
     .dial = { [REPEATS] = { "list", NULL, 0, 1, 1, 0, "each stick once|the near ones more often", true } },
     .begin = begin, .step = step, .draw = draw, .hash = hash, .move = move,
 };

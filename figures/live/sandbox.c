@@ -5,6 +5,7 @@
 #include "live.h"
 #include "view.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 enum { SCENE, NEW, TOUCH, WIND, GRAVITY };      // dials
@@ -259,8 +260,10 @@ static void draw_skin(int k, live_colour c)
     tumble_body_vertices(world, all[k], vertex, n);
     for (int i = 0; i < n; i++) at[i] = drawn(vertex[i]);
     int number = tumble_body_mass(world, all[k]) > 0 ? k : -1;
-    if (faces > 0) live_mesh(number, c, at, n, face, faces, faces < 2 * n - 4 || n > ROUND);
-    for (int i = 0; !faces && i + 1 < n; i++) live_tube(number, c, at[i], at[i + 1], 0.02);
+    if (faces == 0)           live_rope(number, c, at, n, 0.02);
+    else if (number < 0 && faces == 2 * n - 4) live_ground(c, at, face, faces, 0.25);
+    else if (is_soft(all[k])) live_cloth(number, c, at, n, face, faces);
+    else live_mesh(number, c, at, n, face, faces, faces < 2 * n - 4 || n > ROUND);
     free(vertex);
     free(at);
 }
@@ -287,9 +290,23 @@ static void on_line(void *context, tumble_body b, const tumble_vec3 at[2])
     live_tube(-1, LIVE_QUIET, drawn(at[0]), drawn(at[1]), 0.008);
 }
 
+// On an empty floor a ring shows where what is put in will fall.
+static void draw_ring(void)
+{
+    enum { ARCS = 48 };
+    vec3 before = { 0.35, 0.002, 0 };
+    for (int k = 1; k <= ARCS; k++) {
+        real angle = 2 * 3.14159265358979 * k / ARCS;
+        vec3 here = { 0.35 * cos(angle), 0.002, 0.35 * sin(angle) };
+        live_edge(LIVE_QUIET, before, here);
+        before = here;
+    }
+}
+
 static void draw(void)
 {
     if (!world) return;
+    if (bodies == 0) draw_ring();
     tumble_pen pen = { on_triangle, on_line, NULL, NULL };
     for (int k = 0; k < bodies; k++) {
         int faces;

@@ -8,7 +8,7 @@
 
 enum { POINTS, LEAN, TURN, SUBSTEPS };          // dials
 enum { ONE, CORNERS = 8, PASSES = 2 };
-static const real DT = 1.0 / 60, MARGIN = 0.02, LOWEST = -2.5;  // s, m, m
+static const real DT = 1.0 / 60, MARGIN = 0.02, LOWEST = -0.2;  // s, m, m
 static const real PULL = 150, BRAKE = 0.3;      // 1/s^2; of a substep's motion
 static const vec3 GRAVITY = { 0, -9.81, 0 };
 
@@ -154,7 +154,7 @@ static void draw(void)
     vec3 now[CORNERS];
     if (!is_ready) return;
     for (int i = 0; i < CORNERS; i++) now[i] = p[i].position;
-    live_mesh(-1, LIVE_GREY, at + CORNERS, CORNERS, slab.face, slab.mesh.faces, false);
+    live_ground(LIVE_GREY, at + CORNERS, slab.face, slab.mesh.faces, 0.5);
     live_mesh(0, LIVE_BLUE, now, CORNERS, lower, 2, false);
     draw_frame(LIVE_BLUE, now);
     for (int c = 0; c < contacts; c++)
@@ -169,7 +169,7 @@ static unsigned long long hash(void)
 const live_figure figure = {
     .name = "slab",
     .says = "A flat box, drawn as a frame, is set down on a slab; red balls mark the points in which they touch",
-    .camera = { .distance = 4.6, .turn = 0.5, .rise = 0.4, .target = { 0, 0, 0 } },
+    .camera = { .distance = 6.4, .turn = 0.5, .rise = 0.36, .target = { 0, 0, 0 }, .has_floor = true, .floor = -0.3 },
     .dial = {
         [POINTS] = { "contact points", NULL, 0, 1, 1, ONE, "one|up to four", true },
         [LEAN] = { "lean at the start", "°", 0, 10, 0.5, 0.5, NULL, true },

@@ -12,21 +12,42 @@ function material(options) {
   return new THREE.MeshStandardMaterial({ roughness: 0.62, metalness: 0, side: THREE.DoubleSide, ...options });
 }
 
-// The floor: a faint grid of metres (or tenths of one), that fades before its edge, so
-// that there is a horizon, and no end.
+// 1 and 0 from square to square, and between them where they are too small to be seen.
+const BANDS = `float band(float x) {
+  return clamp((abs(fract(0.5 * x) - 0.5) - 0.25) * 2.0 / max(fwidth(x), 1e-4) + 0.5, 0.0, 1.0); }`;
+
+// What covers a surface (live_weave): the squares and threads of a cloth, or tiles.
+function covered(look) {
+  look.onBeforeCompile = shader => {
+    shader.vertexShader = 'attribute vec3 weave; varying vec3 woven;\n' +
+      shader.vertexShader.replace('#include <begin_vertex>', '#include <begin_vertex>\nwoven = weave;');
+    shader.fragmentShader = `varying vec3 woven;\n${BANDS}
+      vec3 cover(vec3 tint) {
+        float across = band(woven.x), along = band(woven.y);
+        if (woven.z > 1.5) return tint * (1.0 - 0.09 * abs(across - along));
+        vec2 thread = woven.xy * 15.0, wide = fwidth(thread);
+        float fine = 1.0 - smoothstep(0.25, 0.6, max(wide.x, wide.y)), over = sin(6.2832 * thread.x) * sin(6.2832 * thread.y);
+        vec3 cloth = mix(pow(tint, vec3(0.5)), 0.85 * tint, 0.5 * (across + along)) * (1.0 - 0.12 * fine * (0.5 + 0.5 * over));
+        return woven.z > 0.5 ? cloth : tint;
+      }
+` + shader.fragmentShader.replace('#include <color_fragment>', '#include <color_fragment>\ndiffuseColor.rgb = cover(diffuseColor.rgb);');
+  };
+  return look;
+}
+
+// The floor: tiles of a metre (or of a part of one), that fade before its edge, so that
+// there is a horizon, and no end.
 function groundLook(far) {
-  const every = far > 2.5 ? 1 : far > 0.8 ? 0.25 : 0.05;
+  const every = far > 8 ? 1 : far > 2.5 ? 0.5 : far > 0.8 ? 0.125 : 0.025;
   return new THREE.ShaderMaterial({
     transparent: true, depthWrite: false, extensions: { derivatives: true },
-    uniforms: { far: { value: far }, every: { value: every }, ink: { value: new THREE.Color() }, light: { value: new THREE.Color() } },
+    uniforms: { tone: { value: 0 }, far: { value: far }, every: { value: every }, ink: { value: new THREE.Color() }, light: { value: new THREE.Color() } },
     vertexShader: `varying vec3 at; varying vec2 flat_at; void main() {
       vec4 w = modelMatrix * vec4(position, 1.0); at = w.xyz; flat_at = position.xy; gl_Position = projectionMatrix * viewMatrix * w; }`,
-    fragmentShader: `varying vec3 at; varying vec2 flat_at; uniform float far, every; uniform vec3 ink, light;
+    fragmentShader: `varying vec3 at; varying vec2 flat_at; uniform float far, every; uniform vec3 ink, light; uniform float tone; ${BANDS}
       void main() {
-        vec2 x = at.xz / every, wide = fwidth(x), line = 1.0 - smoothstep(vec2(0.5), vec2(1.4), abs(fract(x - 0.5) - 0.5) / wide);
-        float fade = 1.0 - smoothstep(0.35 * far, 1.6 * far, length(flat_at)), fine = 1.0 - smoothstep(0.25, 0.7, max(wide.x, wide.y));
-        float grid = 0.16 * max(line.x, line.y) * fine;
-        gl_FragColor = vec4(mix(light, ink, grid), fade);
+        float tile = abs(band(at.x / every) - band(at.z / every)), fade = 1.0 - smoothstep(0.35 * far, 1.6 * far, length(flat_at));
+        gl_FragColor = vec4(mix(light, ink, tone * tile), fade);
         #include <colorspace_fragment>
       }`,
   });
@@ -101,14 +122,14 @@ class Many {
 class Drawing {
   constructor(scene, look = {}) {
     const pale = look.transparent;
-    this.mesh = new Growing(scene, THREE.Mesh, material({ vertexColors: true, ...look }), {});
+    this.mesh = new Growing(scene, THREE.Mesh, covered(material({ vertexColors: true, ...look })), {});
     this.mesh.node.castShadow = this.mesh.node.receiveShadow = !pale;
     this.edges = new Growing(scene, THREE.LineSegments, new THREE.LineBasicMaterial({ vertexColors: true, transparent: true, opacity: pale ? 0.3 : 0.7, toneMapped: false }), {});
     this.balls = new Many(scene, BALL, 8, ballPose, look);
     this.tubes = new Many(scene, TUBE, 11, tubePose, look);
   }
   show(lists) {
-    this.mesh.show({ position: lists.place, normal: lists.normal, color: lists.tint, index: lists.corner });
+    this.mesh.show({ position: lists.place, normal: lists.normal, color: lists.tint, weave: lists.weave, index: lists.corner });
     this.edges.show({ position: lists.edge, color: lists.edgeTint });
     this.balls.show(lists.ball);
     this.tubes.show(lists.tube);
@@ -128,8 +149,8 @@ function tubePose([ax, ay, az, bx, by, bz, r], pose) {
 export class Space {
   // core is made later: it is set when it is there.
   constructor(figure, stage, panel) {
-    const [distance, turn, rise, x, y, z, floor] = panel.camera;
-    Object.assign(this, { figure, stage, distance, turn, rise, target: new THREE.Vector3(x, y, z), hasFloor: floor, zoom: 1, fingers: new Map() });
+    const [distance, turn, rise, x, y, z, hasFloor, low] = panel.camera;
+    Object.assign(this, { figure, stage, distance, turn, rise, target: new THREE.Vector3(x, y, z), hasFloor, low, zoom: 1, fingers: new Map() });
     this.canvas = make('canvas', { tabindex: 0, role: 'img', 'aria-label': panel.says + '. Arrow keys turn the view, + and - change its size.' });
     this.renderer = new THREE.WebGLRenderer({ canvas: this.canvas, antialias: true });
     this.renderer.shadowMap.enabled = true;
@@ -166,7 +187,8 @@ export class Space {
       node.visible = !!this.hasFloor;
     }
     this.ground.renderOrder = -1;
-    this.ground.position.set(this.target.x, 0, this.target.z);
+    this.ground.position.set(this.target.x, this.low, this.target.z);
+    floor.position.y = this.low;
     floor.receiveShadow = true;
     this.scene.add(this.sky, this.sun, this.sun.target, floor, this.ground);
   }
@@ -192,6 +214,7 @@ export class Space {
       for (const core of [this.core, this.ghost]) core?.call('paint', k, c.r, c.g, c.b);
     });
     this.ground.material.uniforms.ink.value.set(colour(this.figure, 'quiet'));
+    this.ground.material.uniforms.tone.value = dark.matches ? 0.03 : 0.085;
     this.ground.material.uniforms.light.value.set(colour(this.figure, 'floor'));
     this.renderer.setClearColor(colour(this.figure, 'stage'), 1);
     this.sky.groundColor.set(dark.matches ? 0x2a2622 : 0xb9b2a6);

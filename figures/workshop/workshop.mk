@@ -65,7 +65,7 @@ $(WORKED:%=$(WORKSHOP)/%-judged.js): $(WORKSHOP)/%-judged.js: $(WORKSHOP)/%.js ;
 FIGURED := $(foreach e,$(WORKED),$(if $(FIGURE_$e),$e))
 figured = $(firstword $(FIGURE_$1))
 define figured_rule
-$(WORKSHOP)/figure-$1.js: $(addprefix $(OURS)/wasm/,live/$(call figured,$1).o live/live.o live/live_wasm.o $(WITH_$(call figured,$1))) \
+$(WORKSHOP)/figure-$1.js: $(addprefix $(OURS)/wasm/,live/$(call figured,$1).o live/live.o live/live_soft.o live/live_wasm.o $(WITH_$(call figured,$1))) \
   $(filter-out $(OURS)/wasm/lib/$(lastword $(FIGURE_$1)).o,$(subst $(OURS)/lib/,$(OURS)/wasm/lib/,$(call live_floor,$(call figured,$1))))
 	@echo "  pack  $$@"
 	$$(Q)node figures/workshop/pack.mjs figure $(call figured,$1) $$^ > $$@
@@ -73,20 +73,14 @@ endef
 $(foreach e,$(FIGURED),$(eval $(call figured_rule,$e)))
 
 # --- The little program ---------------------------------------------------------------
-# What each stage prints, and the hash of its bits, are this machine's.  Those that run
-# for seconds come first.
-LONG := $(filter 09b 18c 16c 09a,$(STAGES))
+# What each stage prints, and the hash of its bits, are those of printed.txt; a stage
+# that has changed since is run.
 STAGED := $(STAGES:%=$(WORKSHOP)/stage-%.js)
-$(WORKSHOP)/little/%.c: $(wildcard chapters/little/*.c) chapters/little/cut.awk
-	$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' sh chapters/little/little.sh cut $* $@
-$(STAGED): $(WORKSHOP)/stage-%.js: $(WORKSHOP)/little/%.c $(WORKSHOP)/printed-here.o figures/workshop/pack.mjs chapters/little/stages.txt
-	@echo "  run   $<"
-	$(Q)$(CC) -std=c11 -ffp-contract=off -O1 -w -fno-builtin-printf -Dprintf=printf_noted -c $< -o $(<:.c=.o)
-	$(Q)$(CC) $(<:.c=.o) $(WORKSHOP)/printed-here.o -lm -o $(<:.c=)
-	$(Q)$(<:.c=) > $(<:.c=.txt) 2> $(<:.c=.hash)
-	$(Q)node figures/workshop/pack.mjs stage $* $< $(<:.c=.txt) $(<:.c=.hash) > $@
-$(WORKSHOP)/printed-here.o: figures/workshop/printed.c
-	$(Q)mkdir -p $(@D) && $(CC) -std=c11 -O2 -w -c $< -o $@
+$(WORKSHOP)/printed.txt: $(wildcard chapters/little/*) figures/workshop/printed.c
+	$(Q)mkdir -p $(@D) && CC='$(CC)' BUILD='$(BUILD)' sh chapters/little/little.sh printed > $@.new && mv $@.new $@
+$(WORKSHOP)/stages.done: $(WORKSHOP)/printed.txt figures/workshop/pack.mjs
+	$(Q)node figures/workshop/pack.mjs stages $< $(BUILD)/little/stage $(WORKSHOP)/stage && touch $@
+$(STAGED): $(WORKSHOP)/stages.done ;
 $(WORKSHOP)/printed.o: figures/workshop/printed.c $(WORKSHOP)/flags
 	$(Q)$(WASM) $(EXACT) -O2 -c $< -o $@
 $(WORKSHOP)/runner.js: $(WORKSHOP)/printed.o figures/workshop/pack.mjs

@@ -5,10 +5,9 @@
 // wrong first and at which move, and how long the longest frame took.
 export function bench(node) {
   const MEASURED = 4;           // some charts have a value of every fourth frame
-  const WIDE = 184, HIGH = 104; // px, of a picture in small
   const { live } = node, canvas = node.querySelector('.live-stage canvas');
   document.querySelectorAll('[data-live]').forEach(other => other.live.loop.play(false));
-  // A picture in space is slow to paint without a graphics card: only the last is.
+  // Only the last picture is painted.
   const paint = live.drawing.draw.bind(live.drawing);
   if (canvas) live.drawing.draw = () => {};
 
@@ -63,16 +62,26 @@ export function bench(node) {
   const showsShapes = () => [...node.querySelectorAll('.live-stage > svg')].some(pane =>
     [...pane.querySelectorAll(':scope > g:not(.live-ghost) > :not(.live-handle)')].some(shape => isWithin(shape.getBoundingClientRect(), pane.getBoundingClientRect())));
 
-  // Are there pixels of bodies?  Those of shadows are not solid.
-  function showsBodies() {
-    const small = new OffscreenCanvas(WIDE, HIGH).getContext('2d');
-    small.drawImage(canvas, 0, 0, WIDE, HIGH);
-    return small.getImageData(0, 0, WIDE, HIGH).data.some((value, k) => k % 4 === 3 && value === 255);
+  // Is a corner, a ball or an end of a tube before the camera, and within its picture?
+  function showsBodies({ place, ball, tube, edge }) {
+    const { camera } = live.drawing;
+    live.drawing.look();
+    const p = camera.projectionMatrix.elements, v = camera.matrixWorldInverse.elements;
+    const row = (m, i, x, y, z, w) => m[i] * x + m[i + 4] * y + m[i + 8] * z + m[i + 12] * w;
+    const isSeen = at => {
+      const eye = [0, 1, 2, 3].map(i => row(v, i, ...at, 1)), [x, y, , w] = [0, 1, 2, 3].map(i => row(p, i, ...eye));
+      return w > 0 && Math.abs(x) < w && Math.abs(y) < w;
+    };
+    for (const [list, size] of [[ball, 8], [tube, 11], [place, 3], [edge, 3]])
+      for (let k = 0; k < list.length; k += size) if (isSeen([...list.subarray(k, k + 3)])) return true;
+    return false;
   }
 
   function isEmpty() {
-    live.guard(() => paint(live.core.draw()));
-    return canvas ? !showsBodies() : !showsShapes();
+    const lists = live.guard(() => live.core.draw());
+    if (canvas) return !showsBodies(lists);
+    paint(lists);
+    return !showsShapes();
   }
 
   // One frame; answers what is wrong with it.

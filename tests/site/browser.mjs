@@ -12,6 +12,16 @@ export const launch = build => needs(build)('playwright-core').chromium.launch({
   args: ['--no-sandbox', '--enable-unsafe-swiftshader'],
 });
 
+// A picture in space is slow to paint without a graphics card: where what is asked is
+// what is computed, none is painted before `window.painted` says so.
+export const unpainted = page => page.addInitScript(() => {
+  const real = WebGL2RenderingContext.prototype;
+  for (const name of ['drawElements', 'drawArrays', 'drawElementsInstanced', 'drawArraysInstanced']) {
+    const draw = real[name];
+    real[name] = function (...rest) { if (window.painted) draw.apply(this, rest); };
+  }
+});
+
 // Does the same with each of some things, so many of them at a time: most of what a
 // page takes is waiting.
 export async function together(most, things, act) {

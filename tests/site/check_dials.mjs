@@ -7,7 +7,7 @@
 import { readFileSync, readdirSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
 import { resolve } from 'node:path';
-import { launch, together } from './browser.mjs';
+import { launch, together, unpainted } from './browser.mjs';
 import { bench } from './bench.mjs';
 
 const FRAMES = 30;              // of each corner: half a second
@@ -42,6 +42,7 @@ const stand = (dial, value) => `${dial.name} ${dial.choices ? dial.choices.split
 async function open(file, name) {
   const page = await browser.newPage({ viewport: { width: 1000, height: 800 } });
   page.setDefaultTimeout(120e3);
+  await unpainted(page);
   page.on('pageerror', error => fault(`${name}: an error: ${error.message}`));
   await page.goto(pathToFileURL(file).href);
   const figure = page.locator(`[data-live="${name}"]`);

@@ -7,7 +7,7 @@
 import { readFileSync, readdirSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
 import { resolve } from 'node:path';
-import { launch, together } from './browser.mjs';
+import { launch, together, unpainted } from './browser.mjs';
 
 const build = resolve(process.argv[2]), site = `${build}/site`;
 const WIDE = { width: 1300, height: 900 }, PHONE = { width: 390, height: 844 };
@@ -27,6 +27,7 @@ const browser = await launch(build);
 async function open(name, options) {
   const page = await browser.newPage(options);
   page.setDefaultTimeout(WAIT.timeout);
+  if (options.reducedMotion) await unpainted(page);
   page.errors = [];
   page.on('console', said => said.type() === 'error' && page.errors.push(said.text()));
   page.on('pageerror', error => page.errors.push(error.message));
@@ -49,6 +50,24 @@ for (const name of names) {
   check(said['og:title'] && said['og:description'] === said.description, `${name} says so to whoever passes it on`);
 }
 
+// Small figures.  One that is turned from the start has no hash of its own.
+const settled = node => node.elementHandle().then(handle => node.page().waitForFunction(({ dataset }) => dataset.ready && (dataset.hash || dataset.set) || dataset.trapped || dataset.failed, handle, WAIT));
+async function checkSmall(page, name) {
+  for (const figure of await page.locator('[data-small]').all()) {
+    await figure.evaluate(node => node.scrollIntoView({ block: 'center' }));
+    await settled(figure);
+    const { hash, wants, small, set, trapped, failed } = await figure.evaluate(node => ({ ...node.dataset }));
+    check(!trapped && !failed, `${name}: ${small} moves: ${trapped ?? failed}`);
+    check(set || hash === wants, `${name}: ${small} has the native hash ${wants}, not ${hash}`);
+    check(await figure.locator('.live-dial, .live-choice').count() <= 1, `${name}: ${small} has one dial at most`);
+    const stands = await figure.evaluate(({ dataset, live }) => dataset.set?.split(' ').every(one => {
+      const [dial, value] = one.split(':').map(Number), plan = live.panel.dials[dial];
+      return plan && live.turned[dial] === value && (plan.choices ? value < plan.choices.split('|').length : value >= plan.least && value <= plan.most);
+    }) ?? true);
+    check(stands, `${name}: ${small} is turned to ${set} from the start`);
+  }
+}
+
 // --- Chapters -----------------------------------------------------------------------
 // From the top of the page to the top of the first figure, in screens.
 await together(TOGETHER, chapters, async name => {
@@ -64,10 +83,15 @@ await together(TOGETHER, chapters, async name => {
   figures += count;
   const placed = await page.locator('figure[data-small], [data-race]').count(), listed = openings.filter(line => `${line[0]}.html` === name).length;
   check(placed === listed, `${name} has all of its small figures (openings.txt): ${placed} of ${listed}`);
+  const parted = await page.evaluate(() => [...document.querySelectorAll('figure[data-small], [data-race]')]
+    .filter(figure => /:\s*$/.test(figure.previousElementSibling?.textContent ?? '')).map(figure => figure.id));
+  check(!parted.length, `${name}: nothing stands between a sentence with a colon and what it announces: ${parted}`);
   // One idea each: what has no chart has one dial at most.
   const many = await page.evaluate(() => [...document.querySelectorAll('.live-small')]
     .filter(figure => figure.querySelectorAll('.live-dial, .live-choice').length > 1).map(figure => figure.id));
   check(!many.length, `${name}: small figures have one dial at most: ${many}`);
+  await checkSmall(page, name);
+  check(page.errors.length === 0, `${name} has no error in its console: ${page.errors[0]}`);
   await page.close();
 });
 
@@ -86,33 +110,22 @@ await together(TOGETHER, chapters, async name => {
     return Math.min(box.bottom, innerHeight) - Math.max(box.top, 0) < 0.9 * box.height;
   }).map(figure => figure.id));
   check(!gone.length, `${name}: the stage is seen while the last dial turns: ${gone}`);
-  await page.close();
-});
-
-// --- Small figures --------------------------------------------------------------------
-// One that is turned from the start has no hash of its own.
-const settled = node => node.elementHandle().then(handle => node.page().waitForFunction(({ dataset }) => dataset.ready && (dataset.hash || dataset.set) || dataset.trapped || dataset.failed, handle, WAIT));
-await together(TOGETHER, ['index.html', ...chapters], async name => {
-  const page = await open(name, { viewport: WIDE, reducedMotion: 'reduce' });
-  for (const figure of await page.locator('[data-small]').all()) {
-    await figure.evaluate(node => node.scrollIntoView({ block: 'center' }));
-    await settled(figure);
-    const { hash, wants, small, set, trapped, failed } = await figure.evaluate(node => ({ ...node.dataset }));
-    check(!trapped && !failed, `${name}: ${small} moves: ${trapped ?? failed}`);
-    check(set || hash === wants, `${name}: ${small} has the native hash ${wants}, not ${hash}`);
-    check(await figure.locator('.live-dial, .live-choice').count() <= 1, `${name}: ${small} has one dial at most`);
-    const stands = await figure.evaluate(({ dataset, live }) => dataset.set?.split(' ').every(one => {
-      const [dial, value] = one.split(':').map(Number), plan = live.panel.dials[dial];
-      return plan && live.turned[dial] === value && (plan.choices ? value < plan.choices.split('|').length : value >= plan.least && value <= plan.most);
-    }) ?? true);
-    check(stands, `${name}: ${small} is turned to ${set} from the start`);
-  }
-  check(page.errors.length === 0, `${name} has no error in its console: ${page.errors[0]}`);
+  // Who goes back with Tab comes to a dial from below.
+  const behind = await page.evaluate(() => [...document.querySelectorAll('.live-figure input')].filter(input => {
+    scrollTo(0, document.body.scrollHeight);
+    input.focus();
+    const box = input.getBoundingClientRect(), stage = input.closest('.live-figure').querySelector('.live-stage').getBoundingClientRect();
+    return box.top < stage.bottom - 2;
+  }).map(input => input.closest('figure').id));
+  check(!behind.length, `${name}: a dial that is come to from below is not behind its stage: ${behind}`);
   await page.close();
 });
 
 // --- The first page -------------------------------------------------------------------
 {
+  const still = await open('index.html', { viewport: WIDE, reducedMotion: 'reduce' });
+  await checkSmall(still, 'index.html');
+  await still.close();
   const page = await open('index.html', { viewport: WIDE });
   const figure = page.locator('[data-first]'), frames = () => figure.evaluate(node => node.live.frames);
   check(await figure.evaluate(node => node.getBoundingClientRect().top) < 200, 'the first page begins with what moves');
@@ -133,13 +146,13 @@ await together(TOGETHER, ['index.html', ...chapters], async name => {
     return null;
   });
   check(spot, 'there is something to take hold of');
-  const still = await hash();
+  const untouched = await hash();
   await page.mouse.move(spot.x, spot.y);
   await page.mouse.down();
   await page.mouse.move(spot.x + 80, spot.y - 40, { steps: 4 });
   await figure.getByRole('button', { name: 'One frame' }).evaluate(node => node.click());
   await page.mouse.up();
-  check(await hash() !== still, 'and it follows the hand');
+  check(await hash() !== untouched, 'and it follows the hand');
   check(page.errors.length === 0, `the first page has no error in its console: ${page.errors[0]}`);
   await page.close();
 }

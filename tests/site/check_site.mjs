@@ -5,7 +5,7 @@
 import { readdirSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
 import { resolve } from 'node:path';
-import { launch, needs, together } from './browser.mjs';
+import { launch, needs, together, unpainted } from './browser.mjs';
 import { serve } from './server.mjs';
 import { checkLinks } from './links.mjs';
 
@@ -34,6 +34,7 @@ const fault = (page, sentence) => { faults++; console.log(`${page}: ${sentence}`
 async function open(context, name) {
   const page = await context.newPage();
   page.setDefaultTimeout(WAIT);
+  await unpainted(page);
   page.on('console', said => said.type() === 'error' && fault(name, `the console says: ${said.text()}`));
   page.on('pageerror', error => fault(name, `an error: ${error.message}`));
   page.on('request', request => {

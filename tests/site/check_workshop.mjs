@@ -218,11 +218,17 @@ async function checkKeys(all) {
     }
     await page.emulateMedia({ reducedMotion: 'reduce' });
     if (!await reach(`the editor of ${id}`, '.cm-content')) continue;
-    await page.keyboard.press('Control+a');
-    await page.keyboard.insertText(answersTo(id).right);
-    await page.keyboard.press('Control+Enter');
-    await page.waitForFunction(() => /tests? pass/.test(document.querySelector('.workshop-said').textContent), null, WAIT).catch(() => {});
-    check(/all \d+ tests pass/.test(await said(page)), `${id} is solved by keys: ${(await said(page)).slice(0, 200)}`);
+    const judge = async source => {
+      await page.evaluate(() => { document.querySelector('.workshop-said').textContent = ''; });
+      await page.keyboard.press('Control+a');
+      await page.keyboard.insertText(source);
+      await page.keyboard.press('Control+Enter');
+      await page.waitForFunction(() => /tests? pass|does not compile/.test(document.querySelector('.workshop-said').textContent), null, WAIT).catch(() => {});
+      return said(page);
+    };
+    const { right, wrong: [wrong] } = answersTo(id), first = await judge(wrong.source), then = await judge(right);
+    check(/\d+ of \d+ tests pass/.test(first) && !/all \d+ tests pass/.test(first), `${id}: a wrong answer (${wrong.what}) is told by keys: ${first.slice(0, 200)}`);
+    check(/all \d+ tests pass/.test(then), `${id} is solved by keys: ${then.slice(0, 200)}`);
     await page.keyboard.press('Escape');
     if (!await reach(`the next exercise after ${id}`, '.workshop-said a.next, .task a.next')) continue;
     const next = await page.evaluate(() => document.activeElement.getAttribute('href'));

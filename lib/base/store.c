@@ -172,7 +172,7 @@ void store_leave(store *s)
 void store_forget(store *s, const void *field, size_t n)
 {
     const char *at = field;
-    if (s->is_reading) return;
+    if (s->is_reading || !s->done.ok) return;
     for (int k = s->depth; k >= 0; k--) {
         store_span x = s->span[k];
         if (!x.from || at < x.from || at >= x.from + x.size) continue;
@@ -280,7 +280,7 @@ void store_table(store *s, void *array, int count, int room, size_t size)
     store_memory(s, at, n);
     if (s->is_reading && room > count)
         memset(at + n, 0, (size_t)(room - count) * size);
-    if (s->done.ok) return;
+    if (s->done.ok || !s->is_reading) return;
     free(at);
     at = NULL;
     memcpy(array, &at, sizeof at);

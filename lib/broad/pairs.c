@@ -220,7 +220,7 @@ bool pair_list_update(pair_list *l, const pair_query *q, int *lost)
     l->is_whole = l->is_whole || !place_new(l);
     if (l->is_whole) list_all(l, q, lost);
     else             list_some(l, q, lost);
-    memset(l->is_new, 0, (size_t)l->bodies * sizeof *l->is_new);
+    for (int b = 0; b < l->bodies; b++) l->is_new[b] = false;
     return true;
 }
 

@@ -18,7 +18,7 @@ static void slots_store(slots *x, store *s)
 {
     store_table(s, &x->slot, x->count, x->capacity, sizeof *x->slot);
     store_table(s, &x->thing, x->count, x->capacity, x->size);
-    if (!s->done.ok) slots_free(x);
+    if (s->is_reading && !s->done.ok) slots_free(x);
 }
 
 // Places that are free have an address of something that is gone.

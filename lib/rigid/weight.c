@@ -8,12 +8,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-// NULL, and *done fails, if memory is refused.
+// NULL if there is nothing; or, and *done fails, if memory is refused.
 static void *copy_of(const void *from, int count, size_t size, status *done)
 {
-    void *to = calloc((size_t)count + 1, size);
-    if (!to) *done = status_out_of_memory();
-    else if (count > 0) memcpy(to, from, (size_t)count * size);
+    if (count == 0) return NULL;
+    void *to = malloc((size_t)count * size);
+    if (to) memcpy(to, from, (size_t)count * size);
+    else    *done = status_out_of_memory();
     return to;
 }
 #define COPY(s, of, member, count) ((s)->member = \

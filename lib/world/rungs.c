@@ -353,7 +353,7 @@ static void sort_by_rung(world *w, int highest)
         t->drivens = 0;
         t->rungs->end = t->awakes;
         t->rungs->end_contact = s->contacts;
-        memcpy(t->by_rung, t->awake, (size_t)t->awakes * sizeof *t->awake);
+        for (int k = 0; k < t->awakes; k++) t->by_rung[k] = t->awake[k];
         return;
     }
     put_driven(w);

@@ -864,22 +864,25 @@ static bool find_ends(linkage *l, const linkage_pass *q, int first, int end)
     return are_known;
 }
 
-// Solved once, and again while a joint will miss what it wants by too much.
+// Solved once, and again while a joint will miss what it wants by too much.  A
+// limit or motor that was switched is asked again when the tree has answered.
 static void settle_tree(linkage *l, const linkage_pass *q, int first, int end,
                         wanting *what, int rounds)
 {
     linkage_body *root = &l->body[l->step[end - 1].body];
     bool is_last = what == want_together || what == want_driven_together;
+    bool waits = false;
     for (int n = 0; n < rounds + LIMIT_ROUNDS; n++) {
         if (n >= rounds && !root->is_limited) return;
         bool is_known = is_last && find_ends(l, q, first, end);
         if (is_known && root->is_settled) return;
-        bool has_changed = root->is_limited
+        bool has_changed = root->is_limited && !waits
                         && switch_limits(l, q, first, end, what);
         real missed = find_wants(l, q, first, end, what);
         bool is_settled = (n > 0 || root->is_settled) && missed <= MISS;
         root->is_settled = is_settled && is_last;
-        if (!has_changed && (is_settled || n >= rounds)) return;
+        if (!has_changed && !waits && (is_settled || n >= rounds)) return;
+        waits = has_changed;
         if (has_changed || !root->is_ready) factor_tree(l, q, first, end);
         root->is_ready = true;
         solve_tree(l, q, first, end);

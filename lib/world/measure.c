@@ -69,6 +69,7 @@ static void measure_planes(const world *w, const sight *s, int b, measures *m)
 {
     const vec3 *at = s->at + s->first[b];
     real round = w->body[b].shape->round;
+    if (body_meets_none(&w->body[b])) return;
     for (int p = 0; p < w->planes; p++)
         for (int i = 0; i < w->body[b].shape->particles; i++)
             deepen(m, round - plane_height(w->plane[p], at[i]));
@@ -108,6 +109,7 @@ static void measure_pair(const world *w, const sight *s, int a, int b,
     sphere p = s->ball[a], q = s->ball[b];
     real near = p.radius + q.radius;
     if (body_is_fixed(x) && body_is_fixed(y)) return;
+    if (body_meets_none(x) || body_meets_none(y)) return;
     if (x->rides && x->rides == y->rides) return;
     if (vec3_length_squared(vec3_sub(p.center, q.center)) > near * near) return;
     if (!body_is_soft(x) && !body_is_soft(y)) measure_rigid_pair(w, s, a, b, m);

@@ -784,6 +784,63 @@ START_TEST(nonsense_is_refused_in_a_sentence)
 }
 END_TEST
 
+// A motor is switched off where it would take more than it may, and on where it
+// need not: the switch itself moves what is far from its axis.
+// Rejects: a motor that is asked again before the rest of its tree has answered.
+START_TEST(a_strong_motor_in_a_tree_of_joints_loses_no_numbers)
+{
+    static const tumble_vec3 hull[13] = {
+        { -0.027, -0.038, 0.017 }, { -0.134, -0.015, 0.013 },
+        { 0.106, 0.009, -0.027 },  { 0.150, 0.024, -0.015 },
+        { -0.026, -0.005, -0.030 }, { -0.077, -0.002, -0.025 },
+        { -0.115, 0.012, 0.024 },  { -0.017, -0.041, -0.005 },
+        { 0.092, 0.021, -0.025 },  { -0.108, -0.028, -0.002 },
+        { -0.126, -0.010, -0.013 }, { 0.166, 0.003, 0.025 },
+        { -0.068, 0.039, -0.004 } };
+    tumble_options o = tumble_options_default();
+    o.dt = 1.0 / 120;
+    tumble_world *w = tumble_world_make(&o);
+    tumble_shape ball = tumble_shape_icosahedron(w, 0.4, 47);
+    tumble_shape plate = tumble_shape_box(w, tumble_v(0.7, 0.03, 0.7), 47);
+    tumble_shape chip = tumble_shape_hull(w, hull, 13, 98);
+    tumble_body a = tumble_body_add(w, ball, tumble_body_at(-1.75, 0, 1.75));
+    tumble_body b = tumble_body_add(w, plate, tumble_body_at(1.75, 0, 1.75));
+    tumble_body c =
+        tumble_body_add(w, chip, tumble_body_at(-1.75, 3.5, -1.75));
+    tumble_joint_fixed(w, a, b, tumble_v(0, 0, 1.75));
+    tumble_joint hinge = tumble_joint_hinge(w, b, c, tumble_v(0, 1.75, 0),
+                                            tumble_v(0.815, -0.121, -0.567));
+    tumble_joint_set_motor(w, hinge, 0.542, 4503);
+    for (int f = 0; f < 10; f++) {
+        tumble_world_step(w);
+        ck_assert_ptr_null(tumble_world_failure(w));
+        ck_assert_double_lt(tumble_joint_gap(w, hinge), 1e-6);
+    }
+    ck_assert_double_eq_tol(tumble_joint_speed(w, hinge), 0.542, 1e-6);
+    tumble_world_free(w);
+}
+END_TEST
+
+// Rejects: what stands in a sensor, and a sensor below a plane, as overlaps.
+START_TEST(a_sensor_overlaps_nothing)
+{
+    tumble_world *w = with_floor();
+    tumble_shape box = tumble_shape_box(w, tumble_v(1, 1, 1), 1);
+    tumble_body_options o = tumble_body_at(0, 0.5, 0);
+    tumble_body_add(w, box, o);
+    tumble_body falls = tumble_body_add(w, box, tumble_body_at(5, 0.5, 0));
+    tumble_body_set_sensor(w, falls, true);
+    o.kind = TUMBLE_STATIC;
+    tumble_body around =
+        tumble_body_add(w, tumble_shape_box(w, tumble_v(3, 3, 3), 1), o);
+    tumble_body_set_sensor(w, around, true);
+    for (int f = 0; f < 60; f++) tumble_world_step(w);
+    ck_assert_double_lt(tumble_body_position(w, falls).y, -1);
+    ck_assert_double_lt(tumble_world_measure(w).penetration, 1e-3);
+    tumble_world_free(w);
+}
+END_TEST
+
 // --- No world ----------------------------------------------------------------
 // Each returns what says that nothing was done, and the first sentence stays.
 static void expect_no_world(const char *what, bool is_nothing)
@@ -1345,6 +1402,8 @@ END_TEST
 int main(void)
 {
     const TTest *const tests[] = {
+        a_strong_motor_in_a_tree_of_joints_loses_no_numbers,
+        a_sensor_overlaps_nothing,
         a_paddle_does_not_go_through_what_it_hits,
         a_pinned_rope_keeps_its_numbers,
         what_was_lost_is_not_lost_again,

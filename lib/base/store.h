@@ -69,7 +69,7 @@ size_t store_end(store *s);
 // or of another version.
 store  store_from(const void *from, size_t size, const char *version);
 
-// Bytes that nobody wants: each table that is stored is listed in spare, which
+// No bytes are kept: each table that is stored is listed in spare, which
 // must be empty.  s.done fails, and the list is empty, if memory is refused.
 store  store_list(store_spare *spare);
 // Frees what has not been taken of the list; empty, it goes on.

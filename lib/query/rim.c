@@ -40,8 +40,8 @@ bool rim_towards(const shape *s, const vec3 *at, vec3 d, rim_core *r)
 //<
 
 //> rim-furthest
-//>   Of the core the furthest point towards d is one of two; on the body it lies between
-//>   them, by the share of the axis.
+//>   Of the core the furthest point towards d is one of its two ends. On the body it
+//>   is a point of the axis.
 feature_point rim_furthest(const rim_core *r, vec3 d)
 {
     int end = vec3_dot(vec3_sub(r->at[1], r->at[0]), d) > 0;

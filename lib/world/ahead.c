@@ -8,8 +8,8 @@
 
 // How far a body may get in so many seconds: as fast as it is now, with what
 // gravity adds and what else pushes it, and a hundredth of its radius for what
-// impacts add.  Nothing but its velocity moves what is driven.  However far it turns, no vertex gets further than across; and a
-// ball gets nowhere by turning.
+// impacts add.  Nothing but its velocity moves what is driven.  However far it
+// turns, no vertex gets further than across; and a ball gets nowhere by turning.
 static const real HUNDREDTH = 100;          // tuned, per radius
 
 // m: a vertex is as far from the axis of the turn as it is across.  What is long

@@ -18,253 +18,113 @@ enum { REAL4 = 4 };
 //<
 
 //> real4-plain
-//>   Four numbers with an operation for each need, as a loop.
+//>   Four numbers are four registers where a compiler has no vectors, two as a
+//>   rule, and one where AVX may be used.
 #if !defined(__GNUC__) || defined(TUMBLE_PLAIN_REAL4)
-typedef struct {
-    real x[REAL4];
-} real4;
+enum { REAL4_REGISTERS = REAL4 };
+typedef real real4_part;
+typedef bool real4_mask;
+#define REAL4_LANE(x, l) (x).of[l]
+#define REAL4_OF(a, b, c, d) { { a, b, c, d } }
 
-#define REAL4_OPERATION(name, expression)                      \
-    static inline real4 name(real4 a, real4 b)                 \
-    {                                                          \
-        real4 c;                                               \
-        for (int l = 0; l < REAL4; l++) c.x[l] = (expression); \
-        return c;                                              \
+static inline real4_part real4_select(real4_mask m, real4_part a,
+                                      real4_part b)
+{
+    return m ? a : b;
+}
+#else
+#if defined(__AVX__) || defined(TUMBLE_WIDE_REAL4)
+enum { REAL4_REGISTERS = 1 };
+#define REAL4_OF(a, b, c, d) { { { a, b, c, d } } }
+#else
+// As every x86-64 and every 64-bit ARM has them.
+enum { REAL4_REGISTERS = 2 };
+#define REAL4_OF(a, b, c, d) { { { a, b }, { c, d } } }
+#endif
+// Wherever it lies, 16 bytes are enough.
+enum { REAL4_IN = REAL4 / REAL4_REGISTERS };
+enum { REAL4_BYTES = REAL4_IN * sizeof(real) };
+typedef real real4_part __attribute__((vector_size(REAL4_BYTES), aligned(16)));
+typedef long long real4_mask
+    __attribute__((vector_size(REAL4_BYTES), aligned(16)));
+#define REAL4_LANE(x, l) (x).of[(l) / REAL4_IN][(l) % REAL4_IN]
+
+static inline real4_part real4_select(real4_mask m, real4_part a,
+                                      real4_part b)
+{
+    return (real4_part)(((real4_mask)a & m) | ((real4_mask)b & ~m));
+}
+#endif
+
+typedef struct {
+    real4_part of[REAL4_REGISTERS];
+} real4;
+//<
+
+//> real4-operations
+//>   Every form has the same operations, with the same bits
+//>   (`four_at_once_are_the_bits_of_each_alone_in_every_form`).
+#define REAL4_OPERATION(name, expression)                 \
+    static inline real4 name(real4 p, real4 q)            \
+    {                                                     \
+        for (int k = 0; k < REAL4_REGISTERS; k++) {       \
+            real4_part a = p.of[k], b = q.of[k];          \
+            p.of[k] = (expression);                       \
+        }                                                 \
+        return p;                                         \
     }
 
-REAL4_OPERATION(real4_add, a.x[l] + b.x[l])
-REAL4_OPERATION(real4_sub, a.x[l] - b.x[l])
-REAL4_OPERATION(real4_mul, a.x[l] * b.x[l])
-REAL4_OPERATION(real4_div, a.x[l] / b.x[l])
-REAL4_OPERATION(real4_max, a.x[l] > b.x[l] ? a.x[l] : b.x[l])
-REAL4_OPERATION(real4_min, a.x[l] < b.x[l] ? a.x[l] : b.x[l])
+REAL4_OPERATION(real4_add, a + b)
+REAL4_OPERATION(real4_sub, a - b)
+REAL4_OPERATION(real4_mul, a * b)
+REAL4_OPERATION(real4_div, a / b)
+REAL4_OPERATION(real4_max, real4_select((real4_mask)(a > b), a, b))
+REAL4_OPERATION(real4_min, real4_select((real4_mask)(a < b), a, b))
 
 static inline real4 real4_make(real a, real b, real c, real d)
 {
-    return (real4){ { a, b, c, d } };
+    return (real4)REAL4_OF(a, b, c, d);
 }
 
 // Lane by lane: a where s > 0, else b.
 static inline real4 real4_if_positive(real4 s, real4 a, real4 b)
 {
-    real4 c;
-    for (int l = 0; l < REAL4; l++) c.x[l] = s.x[l] > 0 ? a.x[l] : b.x[l];
-    return c;
+    const real4_part zero = { 0 };
+    for (int k = 0; k < REAL4_REGISTERS; k++)
+        a.of[k] = real4_select((real4_mask)(s.of[k] > zero), a.of[k], b.of[k]);
+    return a;
 }
 
 static inline real4 real4_sqrt(real4 a)
 {
-    for (int l = 0; l < REAL4; l++) a.x[l] = sqrt(a.x[l]);
-    return a;
+    return real4_make(sqrt(REAL4_LANE(a, 0)), sqrt(REAL4_LANE(a, 1)),
+                      sqrt(REAL4_LANE(a, 2)), sqrt(REAL4_LANE(a, 3)));
 }
 
 // Is any of the four not zero?
 static inline bool real4_any(real4 a)
 {
-    return a.x[0] != 0 || a.x[1] != 0 || a.x[2] != 0 || a.x[3] != 0;
+    return REAL4_LANE(a, 0) != 0 || REAL4_LANE(a, 1) != 0
+        || REAL4_LANE(a, 2) != 0 || REAL4_LANE(a, 3) != 0;
 }
 
 // Numbers 2 k and 2 k + 1 of four bodies become two lanes of bodies.
 static inline void real4_gather2(const real *const from[REAL4], int k,
                                  real4 *even, real4 *odd)
 {
-    for (int l = 0; l < REAL4; l++) {
-        even->x[l] = from[l][2 * k];
-        odd->x[l] = from[l][2 * k + 1];
-    }
+    int i = 2 * k, j = i + 1;
+    *even = real4_make(from[0][i], from[1][i], from[2][i], from[3][i]);
+    *odd = real4_make(from[0][j], from[1][j], from[2][j], from[3][j]);
 }
 
 static inline void real4_scatter2(real *const to[REAL4], int k, real4 even,
                                   real4 odd)
 {
     for (int l = 0; l < REAL4; l++) {
-        to[l][2 * k] = even.x[l];
-        to[l][2 * k + 1] = odd.x[l];
+        to[l][2 * k] = REAL4_LANE(even, l);
+        to[l][2 * k + 1] = REAL4_LANE(odd, l);
     }
 }
-//<
-
-//> real4-wide
-//>   The same as one register, where AVX may be used.
-#elif defined(__AVX__) || defined(TUMBLE_WIDE_REAL4)
-// One register of 32 bytes, wherever it lies.
-typedef real real2 __attribute__((vector_size(16)));
-typedef real real4 __attribute__((vector_size(32), aligned(16)));
-typedef long long mask4 __attribute__((vector_size(32), aligned(16)));
-
-static inline real4 real4_add(real4 a, real4 b)
-{
-    return a + b;
-}
-
-static inline real4 real4_sub(real4 a, real4 b)
-{
-    return a - b;
-}
-
-static inline real4 real4_mul(real4 a, real4 b)
-{
-    return a * b;
-}
-
-static inline real4 real4_div(real4 a, real4 b)
-{
-    return a / b;
-}
-
-static inline real4 real4_select(mask4 m, real4 a, real4 b)
-{
-    return (real4)(((mask4)a & m) | ((mask4)b & ~m));
-}
-
-static inline real4 real4_max(real4 a, real4 b)
-{
-    return real4_select((mask4)(a > b), a, b);
-}
-
-static inline real4 real4_min(real4 a, real4 b)
-{
-    return real4_select((mask4)(a < b), a, b);
-}
-
-static inline real4 real4_make(real a, real b, real c, real d)
-{
-    return (real4){ a, b, c, d };
-}
-
-// Lane by lane: a where s > 0, else b.
-static inline real4 real4_if_positive(real4 s, real4 a, real4 b)
-{
-    const real4 zero = { 0, 0, 0, 0 };
-    return real4_select((mask4)(s > zero), a, b);
-}
-
-static inline real4 real4_sqrt(real4 a)
-{
-    return (real4){ sqrt(a[0]), sqrt(a[1]), sqrt(a[2]), sqrt(a[3]) };
-}
-
-// Is any of the four not zero?
-static inline bool real4_any(real4 a)
-{
-    return a[0] != 0 || a[1] != 0 || a[2] != 0 || a[3] != 0;
-}
-
-// Numbers 2 k and 2 k + 1 of four bodies become two lanes of bodies.  What they
-// come from is aligned to 16 bytes.
-static inline void real4_gather2(const real *const from[REAL4], int k,
-                                 real4 *even, real4 *odd)
-{
-    real2 a = ((const real2 *)from[0])[k], b = ((const real2 *)from[1])[k];
-    real2 c = ((const real2 *)from[2])[k], d = ((const real2 *)from[3])[k];
-    *even = (real4){ a[0], b[0], c[0], d[0] };
-    *odd = (real4){ a[1], b[1], c[1], d[1] };
-}
-
-static inline void real4_scatter2(real *const to[REAL4], int k, real4 even,
-                                  real4 odd)
-{
-    for (int l = 0; l < REAL4; l++)
-        ((real2 *)to[l])[k] = (real2){ even[l], odd[l] };
-}
-//<
-
-//> real4-vectors
-//>   The same as two registers, with the same bits
-//>   (`four_at_once_are_the_bits_of_each_alone_in_every_form`).
-#else
-// Two registers of 16 bytes, which every x86-64 and every 64-bit ARM has.
-typedef real real2 __attribute__((vector_size(16)));
-typedef long long mask2 __attribute__((vector_size(16)));
-
-typedef struct {
-    real2 lo, hi;
-} real4;
-
-static inline real4 real4_add(real4 a, real4 b)
-{
-    return (real4){ a.lo + b.lo, a.hi + b.hi };
-}
-
-static inline real4 real4_sub(real4 a, real4 b)
-{
-    return (real4){ a.lo - b.lo, a.hi - b.hi };
-}
-
-static inline real4 real4_mul(real4 a, real4 b)
-{
-    return (real4){ a.lo * b.lo, a.hi * b.hi };
-}
-
-static inline real4 real4_div(real4 a, real4 b)
-{
-    return (real4){ a.lo / b.lo, a.hi / b.hi };
-}
-
-static inline real2 real2_select(mask2 m, real2 a, real2 b)
-{
-    return (real2)(((mask2)a & m) | ((mask2)b & ~m));
-}
-
-static inline real4 real4_max(real4 a, real4 b)
-{
-    return (real4){ real2_select((mask2)(a.lo > b.lo), a.lo, b.lo),
-                    real2_select((mask2)(a.hi > b.hi), a.hi, b.hi) };
-}
-
-static inline real4 real4_min(real4 a, real4 b)
-{
-    return (real4){ real2_select((mask2)(a.lo < b.lo), a.lo, b.lo),
-                    real2_select((mask2)(a.hi < b.hi), a.hi, b.hi) };
-}
-
-static inline real4 real4_make(real a, real b, real c, real d)
-{
-    return (real4){ { a, b }, { c, d } };
-}
-
-// Lane by lane: a where s > 0, else b.
-static inline real4 real4_if_positive(real4 s, real4 a, real4 b)
-{
-    const real2 zero = { 0, 0 };
-    return (real4){ real2_select((mask2)(s.lo > zero), a.lo, b.lo),
-                    real2_select((mask2)(s.hi > zero), a.hi, b.hi) };
-}
-
-static inline real4 real4_sqrt(real4 a)
-{
-    return (real4){ { sqrt(a.lo[0]), sqrt(a.lo[1]) },
-                    { sqrt(a.hi[0]), sqrt(a.hi[1]) } };
-}
-
-// Is any of the four not zero?
-static inline bool real4_any(real4 a)
-{
-    const real2 zero = { 0, 0 };
-    mask2 m = (mask2)(a.lo != zero) | (mask2)(a.hi != zero);
-    return (m[0] | m[1]) != 0;
-}
-
-// Numbers 2 k and 2 k + 1 of four bodies become two lanes of bodies.  What they
-// come from is aligned to 16 bytes.
-static inline void real4_gather2(const real *const from[REAL4], int k,
-                                 real4 *even, real4 *odd)
-{
-    real2 a = ((const real2 *)from[0])[k], b = ((const real2 *)from[1])[k];
-    real2 c = ((const real2 *)from[2])[k], d = ((const real2 *)from[3])[k];
-    *even = (real4){ { a[0], b[0] }, { c[0], d[0] } };
-    *odd = (real4){ { a[1], b[1] }, { c[1], d[1] } };
-}
-
-static inline void real4_scatter2(real *const to[REAL4], int k, real4 even,
-                                  real4 odd)
-{
-    ((real2 *)to[0])[k] = (real2){ even.lo[0], odd.lo[0] };
-    ((real2 *)to[1])[k] = (real2){ even.lo[1], odd.lo[1] };
-    ((real2 *)to[2])[k] = (real2){ even.hi[0], odd.hi[0] };
-    ((real2 *)to[3])[k] = (real2){ even.hi[1], odd.hi[1] };
-}
-#endif
 //<
 
 //> real4-sums

@@ -32,21 +32,21 @@ bool inside_is_world(tumble_world *w)
     return w || inside_fail(w, "there is no world: it was not made");
 }
 
-bool inside_refuse(tumble_world *w, const char *what, unsigned place,
-                   unsigned generation)
+void *inside_find(tumble_world *w, const slots *s, const char *what,
+                  unsigned place, unsigned generation)
 {
-    if (generation == 0)
-        return inside_fail(w, "the id of a %s is zero: it was not made", what);
-    return inside_fail(w, "%s %u is gone, or was never in this world", what,
-                       place);
+    void *found = slots_find(s, place, generation);
+    if (!found && generation == 0)
+        inside_fail(w, "the id of a %s is zero: it was not made", what);
+    else if (!found)
+        inside_fail(w, "%s %u is gone, or was never in this world", what, place);
+    return found;
 }
 
 shape_place *inside_shape(tumble_world *w, tumble_shape s)
 {
     if (!inside_is_world(w)) return NULL;
-    shape_place *found = slots_find(&w->shapes, s.place, s.generation);
-    if (!found) inside_refuse(w, "shape", s.place, s.generation);
-    return found;
+    return inside_find(w, &w->shapes, "shape", s.place, s.generation);
 }
 
 bool inside_reserve(tumble_world *w, int vertices)
@@ -73,12 +73,10 @@ bool inside_is_group(tumble_world *w, unsigned group)
                        "finds it: options begin with tumble_body_at");
 }
 
-joint_place *inside_joint(tumble_world *w, tumble_joint j)
+int *inside_joint(tumble_world *w, tumble_joint j)
 {
     if (!inside_is_world(w)) return NULL;
-    joint_place *found = slots_find(&w->joints, j.place, j.generation);
-    if (!found) inside_refuse(w, "joint", j.place, j.generation);
-    return found;
+    return inside_find(w, &w->joints, "joint", j.place, j.generation);
 }
 
 const body_place *inside_look(const tumble_world *w, tumble_body b)
@@ -89,9 +87,7 @@ const body_place *inside_look(const tumble_world *w, tumble_body b)
 body_place *inside_body(tumble_world *w, tumble_body b)
 {
     if (!inside_is_world(w)) return NULL;
-    body_place *found = slots_find(&w->bodies, b.place, b.generation);
-    if (!found) inside_refuse(w, "body", b.place, b.generation);
-    return found;
+    return inside_find(w, &w->bodies, "body", b.place, b.generation);
 }
 
 bool inside_reserve_owner(tumble_world *w)
@@ -165,10 +161,13 @@ rigid_frame inside_frame(const tumble_world *w, int b)
     return rigid4_frame(w->world.pool.at + w->world.body[b].first);
 }
 
+tumble_body inside_body_in(const tumble_world *w, int k)
+{
+    return (tumble_body){ (unsigned)k, slots_generation(&w->bodies, k) };
+}
+
 tumble_body inside_owner(const tumble_world *w, int b)
 {
-    if (b < 0) return tumble_body_ground();
-    int k = w->owner[b];
-    return (tumble_body){ (unsigned)k, slots_generation(&w->bodies, k) };
+    return b < 0 ? tumble_body_ground() : inside_body_in(w, w->owner[b]);
 }
 //<

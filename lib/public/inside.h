@@ -64,20 +64,12 @@ typedef struct {
     void *user;
 } body_place;
 
-typedef struct {
-    int number;             // the engine's
-} joint_place;
-
-typedef struct {
-    int number;             // the engine's
-} plane_place;
-
 struct tumble_world {
     world world;
     slots shapes;           // of shape_place
     slots bodies;           // of body_place
-    slots joints;           // of joint_place
-    slots planes;           // of plane_place
+    slots joints;           // of int: the engine's numbers
+    slots planes;           // likewise
     int  first_mesh;        // 1 + the place of a body with a surface; 0: none
     int  *owner;            // [world.bodies] place of the body it belongs to
     int   owners;           // room
@@ -109,9 +101,9 @@ bool inside_is_ok(tumble_world *w, status s);
 // Is there a world?  NULL is none, and NULL has the failure.
 bool inside_is_world(tumble_world *w);
 
-// Says why there is nothing with this id.  Returns false.
-bool inside_refuse(tumble_world *w, const char *what, unsigned place,
-                   unsigned generation);
+// What this id calls in a table of w; NULL, with a failure, if there is nothing.
+void *inside_find(tumble_world *w, const slots *s, const char *what,
+                  unsigned place, unsigned generation);
 
 // Makes the world's scratch large enough for shapes of so many vertices.  False
 // if memory is refused.
@@ -136,7 +128,7 @@ void inside_watch_meshes(tumble_world *w);
 // The thing with this id; NULL, with a failure, if it is gone.
 shape_place *inside_shape(tumble_world *w, tumble_shape s);
 body_place  *inside_body(tumble_world *w, tumble_body b);
-joint_place *inside_joint(tumble_world *w, tumble_joint j);
+int         *inside_joint(tumble_world *w, tumble_joint j);
 
 // The engine's number of a rope or cloth that has a vertex i; -1, with a
 // failure, if it has none.
@@ -170,7 +162,9 @@ rigid_frame inside_frame(const tumble_world *w, int b);
 // The quaternion of the rotation whose matrix has the columns x, y and z.
 tumble_quat inside_quat(vec3 x, vec3 y, vec3 z);
 
-// The id of the body that body b of the engine belongs to; b < 0: the ground.
+// The id of the body in place k, and of that which body b of the engine belongs
+// to; b < 0: the ground.
+tumble_body inside_body_in(const tumble_world *w, int k);
 tumble_body inside_owner(const tumble_world *w, int b);
 
 // What a program sees of a contact of bodies that stand there, b: NULL for a

@@ -3,6 +3,7 @@
 //>   sphere what is too far away.
 #include "cast.h"
 #include "inside.h"
+#include "weight.h"
 
 #include <math.h>
 #include <stddef.h>
@@ -305,27 +306,14 @@ static bool stand(const tumble_world *w, tumble_shape s, tumble_pose pose,
     if (!w) return false;
     const shape_place *x = slots_find(&w->shapes, s.place, s.generation);
     if (!x || x->shape->kind != SHAPE_RIGID) return false;
-    real m[9];
     vec3 *at = w->scratch + 3 * w->most_vertices;
-    tumble_quat_matrix(pose.rotation, m);
-    for (int k = 0; k < x->shape->particles; k++) {
-        vec3 r = x->shape->at[k];
-        at[k] = (vec3){ m[0] * r.x + m[1] * r.y + m[2] * r.z,
-                        m[3] * r.x + m[4] * r.y + m[5] * r.z,
-                        m[6] * r.x + m[7] * r.y + m[8] * r.z };
-        at[k] = vec3_add(at[k], from_user(pose.position));
-    }
+    placement p = { .is_static = true };
+    inside_place(&p, pose);
+    for (int k = 0; k < x->shape->particles; k++)
+        at[k] = vec3_add(p.position, placement_vector(&p, x->shape->at[k]));
     q->thing = rounded_shape(x->shape, at);
     q->around = ball_around(q->thing);
     return true;
-}
-
-bool tumble_world_sweep(const tumble_world *w, tumble_shape s, tumble_pose pose,
-                        tumble_vec3 way, unsigned mask, tumble_hit *hit)
-{
-    question q = { .way = from_user(way), .mask = mask, .ask = ask_way,
-                   .most = 1 };
-    return stand(w, s, pose, &q) && first_met(w, &q, hit);
 }
 
 bool tumble_world_sweep_turning(const tumble_world *w, tumble_shape s,
@@ -340,6 +328,13 @@ bool tumble_world_sweep_turning(const tumble_world *w, tumble_shape s,
     q.around.radius += vec3_distance(q.around.center, center);
     q.around.center = center;
     return first_met(w, &q, hit);
+}
+
+bool tumble_world_sweep(const tumble_world *w, tumble_shape s, tumble_pose pose,
+                        tumble_vec3 way, unsigned mask, tumble_hit *hit)
+{
+    const tumble_vec3 turn = { 0, 0, 0 };
+    return tumble_world_sweep_turning(w, s, pose, way, turn, mask, hit);
 }
 //<
 
@@ -389,7 +384,7 @@ int tumble_world_overlap(const tumble_world *w, tumble_shape s,
     for (int k = 0; k < w->bodies.count; k++) {
         const body_place *x = slots_at(&w->bodies, k);
         if (!x || !overlaps(w, x, &q)) continue;
-        if (out && n < most) out[n] = inside_owner(w, x->piece[0].number);
+        if (out && n < most) out[n] = inside_body_in(w, k);
         n++;
     }
     return n;
@@ -443,7 +438,7 @@ int tumble_body_sensed(const tumble_world *w, tumble_body sensor,
     for (int k = 0; k < w->bodies.count; k++) {
         const body_place *x = slots_at(&w->bodies, k);
         if (!x || !some_piece_senses(w, s, x)) continue;
-        if (out && n < most) out[n] = inside_owner(w, x->piece[0].number);
+        if (out && n < most) out[n] = inside_body_in(w, k);
         n++;
     }
     return n;

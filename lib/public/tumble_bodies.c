@@ -122,37 +122,6 @@ static int take_body_place(tumble_world *w, int n, const tumble_body_options *o)
     return place;
 }
 
-static tumble_body add(tumble_world *w, const tumble_shape *s,
-                       const tumble_pose *pose, int n,
-                       const tumble_body_options *o)
-{
-    const tumble_body none = { 0, 0 };
-    int place = check_options(w, o) ? take_body_place(w, n, o) : -1;
-    if (place < 0) return none;
-    for (int k = 0; k < n; k++) {
-        if (add_piece(w, place, s[k], pose[k], o)) continue;
-        take_away(w, place);
-        return none;
-    }
-    return (tumble_body){ (unsigned)place, slots_generation(&w->bodies, place) };
-}
-
-tumble_body tumble_body_add(tumble_world *w, tumble_shape s,
-                            tumble_body_options o)
-{
-    return add(w, &s, &o.pose, 1, &o);
-}
-
-tumble_body tumble_body_add_pieces(tumble_world *w, const tumble_shape *piece,
-                                   const tumble_pose *pose, int n,
-                                   tumble_body_options o)
-{
-    o.kind = TUMBLE_STATIC;
-    if (n > 0 && piece && pose) return add(w, piece, pose, n, &o);
-    inside_fail(w, "a body of %d pieces is none", n);
-    return (tumble_body){ 0, 0 };
-}
-
 // What all pieces weigh together.
 static bool weigh_pieces(tumble_world *w, const tumble_shape *s,
                          const tumble_pose *pose, int n, struct weight *whole)
@@ -193,28 +162,60 @@ static bool add_own_piece(tumble_world *w, int place, tumble_shape s,
     return false;
 }
 
+// whole: what the pieces weigh together, if they move as one; or NULL.
+static tumble_body add(tumble_world *w, const tumble_shape *s,
+                       const tumble_pose *pose, int n, struct weight *whole,
+                       const tumble_body_options *o)
+{
+    const tumble_body none = { 0, 0 };
+    int place = take_body_place(w, n, o);
+    if (place < 0) return none;
+    ((body_place *)slots_at(&w->bodies, place))->is_whole = whole;
+    for (int k = 0; k < n; k++) {
+        if (k == 1 && whole) whole->reach = 0;
+        if (whole ? add_own_piece(w, place, s[k], pose[k], whole, o)
+                  : add_piece(w, place, s[k], pose[k], o)) continue;
+        take_away(w, place);
+        return none;
+    }
+    return inside_body_in(w, place);
+}
+
+tumble_body tumble_body_add(tumble_world *w, tumble_shape s,
+                            tumble_body_options o)
+{
+    if (!check_options(w, &o)) return (tumble_body){ 0, 0 };
+    return add(w, &s, &o.pose, 1, NULL, &o);
+}
+
+static bool are_pieces(tumble_world *w, const tumble_shape *piece,
+                       const tumble_pose *pose, int n)
+{
+    return (n > 0 && piece && pose)
+        || inside_fail(w, "a body of %d pieces is none", n);
+}
+
+tumble_body tumble_body_add_pieces(tumble_world *w, const tumble_shape *piece,
+                                   const tumble_pose *pose, int n,
+                                   tumble_body_options o)
+{
+    o.kind = TUMBLE_STATIC;
+    if (!are_pieces(w, piece, pose, n) || !check_options(w, &o))
+        return (tumble_body){ 0, 0 };
+    return add(w, piece, pose, n, NULL, &o);
+}
+
 tumble_body tumble_body_add_compound(tumble_world *w, const tumble_shape *piece,
                                      const tumble_pose *pose, int n,
                                      tumble_body_options o)
 {
     const tumble_body none = { 0, 0 };
     struct weight whole;
-    if (!check_options(w, &o)) return none;
-    if (!(n > 0 && piece && pose))
-        return inside_fail(w, "a body of %d pieces is none", n), none;
+    if (!check_options(w, &o) || !are_pieces(w, piece, pose, n)) return none;
     if (o.kind != TUMBLE_DYNAMIC)
         return inside_fail(w, "a body whose pieces move as one is dynamic"), none;
     if (!weigh_pieces(w, piece, pose, n, &whole)) return none;
-    int place = take_body_place(w, n, &o);
-    if (place < 0) return none;
-    ((body_place *)slots_at(&w->bodies, place))->is_whole = true;
-    for (int k = 0; k < n; k++) {
-        if (k == 1) whole.reach = 0;
-        if (add_own_piece(w, place, piece[k], pose[k], &whole, &o)) continue;
-        take_away(w, place);
-        return none;
-    }
-    return (tumble_body){ (unsigned)place, slots_generation(&w->bodies, place) };
+    return add(w, piece, pose, n, &whole, &o);
 }
 
 bool tumble_body_remove(tumble_world *w, tumble_body b)
@@ -234,9 +235,7 @@ int tumble_world_bodies(const tumble_world *w, tumble_body *out, int most)
     int n = 0;
     for (int k = 0; w && k < w->bodies.count; k++) {
         if (!slots_is_taken(&w->bodies, k)) continue;
-        if (out && n < most)
-            out[n] = (tumble_body){ (unsigned)k,
-                                    slots_generation(&w->bodies, k) };
+        if (out && n < most) out[n] = inside_body_in(w, k);
         n++;
     }
     return n;

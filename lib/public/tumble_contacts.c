@@ -180,7 +180,7 @@ int tumble_world_sensor_events(tumble_world *w, tumble_event *out, int most)
     for (int k = 0; k < w->bodies.count && is_done; k++) {
         const body_place *x = slots_at(&w->bodies, k);
         if (x && x->is_sensor)
-            is_done = add_sensed(w, inside_owner(w, x->piece[0].number), &now);
+            is_done = add_sensed(w, inside_body_in(w, k), &now);
     }
     if (!is_done) {
         free(now.at);

@@ -21,6 +21,11 @@ static bool find_side(tumble_world *w, tumble_body b, int *number)
                        "bodies", b.place);
 }
 
+static tumble_joint joint_in(const tumble_world *w, int k)
+{
+    return (tumble_joint){ (unsigned)k, slots_generation(&w->joints, k) };
+}
+
 static tumble_joint enter(tumble_world *w, joint_plan plan)
 {
     const tumble_joint none = { 0, 0 };
@@ -32,8 +37,8 @@ static tumble_joint enter(tumble_world *w, joint_plan plan)
         inside_is_ok(w, status_out_of_memory());
         return none;
     }
-    *(joint_place *)slots_at(&w->joints, k) = (joint_place){ number };
-    return (tumble_joint){ (unsigned)k, slots_generation(&w->joints, k) };
+    *(int *)slots_at(&w->joints, k) = number;
+    return joint_in(w, k);
 }
 
 static tumble_joint join(tumble_world *w, tumble_body a, tumble_body b,
@@ -102,9 +107,9 @@ tumble_joint tumble_joint_hang(tumble_world *w, tumble_body soft, int i,
 //>   its joints go first.
 bool tumble_joint_remove(tumble_world *w, tumble_joint j)
 {
-    const joint_place *x = inside_joint(w, j);
+    const int *x = inside_joint(w, j);
     if (!x) return false;
-    world_unjoin(&w->world, x->number);
+    world_unjoin(&w->world, *x);
     slots_give(&w->joints, (int)j.place);
     return true;
 }
@@ -112,10 +117,10 @@ bool tumble_joint_remove(tumble_world *w, tumble_joint j)
 void inside_forget_joints(tumble_world *w)
 {
     for (int k = 0; k < w->joints.count; k++) {
-        const joint_place *x = slots_at(&w->joints, k);
+        const int *x = slots_at(&w->joints, k);
         if (!x) continue;
-        const joint *held = &w->world.joints.joint[x->number];
-        if (held->is_broken) world_unjoin(&w->world, x->number);
+        const joint *held = &w->world.joints.joint[*x];
+        if (held->is_broken) world_unjoin(&w->world, *x);
         if (held->kind == JOINT_NONE) slots_give(&w->joints, k);
     }
 }
@@ -123,40 +128,38 @@ void inside_forget_joints(tumble_world *w)
 bool tumble_joint_set_limits(tumble_world *w, tumble_joint j, double least,
                              double most)
 {
-    const joint_place *x = inside_joint(w, j);
+    const int *x = inside_joint(w, j);
     if (!x) return false;
-    if (!joint_is_free(&w->world.joints.joint[x->number]))
+    if (!joint_is_free(&w->world.joints.joint[*x]))
         return inside_fail(w, "joint %u is no hinge, no slider and no distance: "
                            "it has no limits", j.place);
-    return inside_is_ok(w, world_limit_joint(&w->world, x->number, least,
-                                             most));
+    return inside_is_ok(w, world_limit_joint(&w->world, *x, least, most));
 }
 
 bool tumble_joint_set_cone(tumble_world *w, tumble_joint j, tumble_vec3 axis,
                            double swing, double least, double most)
 {
-    const joint_place *x = inside_joint(w, j);
+    const int *x = inside_joint(w, j);
     if (!x) return false;
-    if (w->world.joints.joint[x->number].kind != JOINT_BALL)
+    if (w->world.joints.joint[*x].kind != JOINT_BALL)
         return inside_fail(w, "joint %u is no ball joint: it has no cone",
                            j.place);
-    return inside_is_ok(w, world_cone_joint(&w->world, x->number,
-                                            from_user(axis), swing, least, most));
+    return inside_is_ok(w, world_cone_joint(&w->world, *x, from_user(axis),
+                                            swing, least, most));
 }
 
 bool tumble_joint_set_motor(tumble_world *w, tumble_joint j, double speed,
                             double force)
 {
-    const joint_place *x = inside_joint(w, j);
-    return x && inside_is_ok(w, world_set_motor(&w->world, x->number, speed,
-                                                force));
+    const int *x = inside_joint(w, j);
+    return x && inside_is_ok(w, world_set_motor(&w->world, *x, speed, force));
 }
 
 bool tumble_joint_set_spring(tumble_world *w, tumble_joint j, double rest,
                              double stiffness, double damping)
 {
-    const joint_place *x = inside_joint(w, j);
-    return x && inside_is_ok(w, world_set_spring(&w->world, x->number, rest,
+    const int *x = inside_joint(w, j);
+    return x && inside_is_ok(w, world_set_spring(&w->world, *x, rest,
                                                  stiffness, damping, HUGE_VAL));
 }
 
@@ -165,7 +168,7 @@ bool tumble_joint_set_spring(tumble_world *w, tumble_joint j, double rest,
 bool tumble_joint_set_servo(tumble_world *w, tumble_joint j, double place,
                             double hertz, double ratio, double force)
 {
-    const joint_place *x = inside_joint(w, j);
+    const int *x = inside_joint(w, j);
     if (!x) return false;
     if (!(hertz > 0 && hertz < HUGE_VAL && ratio >= 0 && ratio < HUGE_VAL
           && force >= 0))
@@ -173,32 +176,32 @@ bool tumble_joint_set_servo(tumble_world *w, tumble_joint j, double place,
                            "they must be above 0, the ratio and the force may "
                            "be 0", hertz, ratio, force);
     real omega = 2 * JOINT_HALF_TURN * hertz;
-    real inertia = world_joint_inertia(&w->world, x->number);
+    real inertia = world_joint_inertia(&w->world, *x);
     real stiffness = force > 0 ? inertia * omega * omega : 0;
     real damping = force > 0 ? 2 * ratio * inertia * omega : 0;
-    return inside_is_ok(w, world_set_spring(&w->world, x->number, place,
-                                            stiffness, damping, force));
+    return inside_is_ok(w, world_set_spring(&w->world, *x, place, stiffness,
+                                            damping, force));
 }
 
 bool tumble_joint_set_touching(tumble_world *w, tumble_joint j, bool may_touch)
 {
-    const joint_place *x = inside_joint(w, j);
+    const int *x = inside_joint(w, j);
     if (!x) return false;
-    if (w->world.joints.joint[x->number].kind == JOINT_PIN)
+    if (w->world.joints.joint[*x].kind == JOINT_PIN)
         return inside_fail(w, "joint %u hangs a rope or a cloth on a body, which "
                            "the vertices beside it would push", j.place);
-    world_touch_joint(&w->world, x->number, may_touch);
+    world_touch_joint(&w->world, *x, may_touch);
     return true;
 }
 
 bool tumble_joint_set_strength(tumble_world *w, tumble_joint j, double force)
 {
-    const joint_place *x = inside_joint(w, j);
+    const int *x = inside_joint(w, j);
     if (!x) return false;
     if (!(force >= 0))
         return inside_fail(w, "a joint of strength %g N: it must be 0 or more",
                            force);
-    joint *held = &w->world.joints.joint[x->number];
+    joint *held = &w->world.joints.joint[*x];
     held->strength = force > 0 ? force : HUGE_VAL;
     if (held->a >= 0) world_wake(&w->world, held->a);
     if (held->b >= 0) world_wake(&w->world, held->b);
@@ -209,7 +212,7 @@ bool tumble_joint_set_strength(tumble_world *w, tumble_joint j, double force)
 //> face-joint-look
 //>   A joint can be asked for its force and its gap, and where it is along its free
 //>   way, how fast, and what drives it there.
-static const joint_place *look(const tumble_world *w, tumble_joint j)
+static const int *look(const tumble_world *w, tumble_joint j)
 {
     return w ? slots_find(&w->joints, j.place, j.generation) : NULL;
 }
@@ -224,9 +227,7 @@ int tumble_world_joints(const tumble_world *w, tumble_joint *out, int most)
     int n = 0;
     for (int k = 0; w && k < w->joints.count; k++) {
         if (!slots_is_taken(&w->joints, k)) continue;
-        if (out && n < most)
-            out[n] = (tumble_joint){ (unsigned)k,
-                                     slots_generation(&w->joints, k) };
+        if (out && n < most) out[n] = joint_in(w, k);
         n++;
     }
     return n;
@@ -234,58 +235,58 @@ int tumble_world_joints(const tumble_world *w, tumble_joint *out, int most)
 
 tumble_body tumble_joint_body(const tumble_world *w, tumble_joint j, int side)
 {
-    const joint_place *x = look(w, j);
+    const int *x = look(w, j);
     if (!x || side < 0 || side > 1) return (tumble_body){ 0, 0 };
-    const joint *held = &w->world.joints.joint[x->number];
+    const joint *held = &w->world.joints.joint[*x];
     return inside_owner(w, side == 0 ? held->a : held->b);
 }
 
 double tumble_joint_force(const tumble_world *w, tumble_joint j)
 {
-    const joint_place *x = look(w, j);
-    return x ? w->world.joints.joint[x->number].force : 0;
+    const int *x = look(w, j);
+    return x ? w->world.joints.joint[*x].force : 0;
 }
 
 double tumble_joint_gap(const tumble_world *w, tumble_joint j)
 {
-    const joint_place *x = look(w, j);
-    return x ? world_joint_gap(&w->world, x->number) : 0;
+    const int *x = look(w, j);
+    return x ? world_joint_gap(&w->world, *x) : 0;
 }
 
 double tumble_joint_place(const tumble_world *w, tumble_joint j)
 {
-    const joint_place *x = look(w, j);
-    return x ? world_joint_place(&w->world, x->number) : 0;
+    const int *x = look(w, j);
+    return x ? world_joint_place(&w->world, *x) : 0;
 }
 
 double tumble_joint_speed(const tumble_world *w, tumble_joint j)
 {
-    const joint_place *x = look(w, j);
-    return x ? world_joint_speed(&w->world, x->number) : 0;
+    const int *x = look(w, j);
+    return x ? world_joint_speed(&w->world, *x) : 0;
 }
 
 double tumble_joint_swing(const tumble_world *w, tumble_joint j)
 {
-    const joint_place *x = look(w, j);
-    return x ? world_joint_swing(&w->world, x->number) : 0;
+    const int *x = look(w, j);
+    return x ? world_joint_swing(&w->world, *x) : 0;
 }
 
 double tumble_joint_twist(const tumble_world *w, tumble_joint j)
 {
-    const joint_place *x = look(w, j);
-    return x ? world_joint_twist(&w->world, x->number) : 0;
+    const int *x = look(w, j);
+    return x ? world_joint_twist(&w->world, *x) : 0;
 }
 
 double tumble_joint_drive(const tumble_world *w, tumble_joint j)
 {
-    const joint_place *x = look(w, j);
-    return x ? world_joint_drive(&w->world, x->number) : 0;
+    const int *x = look(w, j);
+    return x ? world_joint_drive(&w->world, *x) : 0;
 }
 
 bool tumble_joint_may_touch(const tumble_world *w, tumble_joint j)
 {
-    const joint_place *x = look(w, j);
-    return x && w->world.joints.joint[x->number].may_touch;
+    const int *x = look(w, j);
+    return x && w->world.joints.joint[*x].may_touch;
 }
 
 double tumble_joint_angle(const tumble_world *w, tumble_joint j)

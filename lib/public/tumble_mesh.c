@@ -4,6 +4,7 @@
 //>   left behind. All prisms of a surface are pieces of one body, whose seams
 //>   chapter 11 closes.
 #include "inside.h"
+#include "weight.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -390,26 +391,27 @@ static status make(body_mesh *m, const vec3 *point, int points,
 }
 
 // A surface whose points are those in the frame of the pose, which become the
-// world's.
+// world's.  Frees both tables; NULL: memory was refused.
 static tumble_body add_surface(tumble_world *w, vec3 *point, int points,
-                               const int (*triangle)[3], int triangles,
-                               vec3 down, real thickness, tumble_body_options o)
+                               int (*triangle)[3], int triangles, vec3 down,
+                               real thickness, tumble_body_options o)
 {
-    const tumble_body none = { 0, 0 };
     placement at = { .is_static = true };
     body_mesh *m = calloc(1, sizeof *m);
-    if (!m) return inside_is_ok(w, status_out_of_memory()), none;
+    status done = status_out_of_memory();
     inside_place(&at, o.pose);
-    for (int k = 0; k < points; k++)
-        point[k] = vec3_add(at.position, vec3_add(vec3_scale(point[k].x, at.x),
-                            vec3_add(vec3_scale(point[k].y, at.y),
-                                     vec3_scale(point[k].z, at.z))));
-    m->pose = o.pose;
-    status done = make(m, point, points, triangle, triangles,
-                       vec3_scale(down.y, at.y), thickness);
+    if (m && point && triangle) {
+        for (int k = 0; k < points; k++)
+            point[k] = vec3_add(at.position, placement_vector(&at, point[k]));
+        m->pose = o.pose;
+        done = make(m, point, points, (const int (*)[3])triangle, triangles,
+                    vec3_scale(down.y, at.y), thickness);
+    }
+    free(point);
+    free(triangle);
     if (inside_is_ok(w, done)) return add(w, m, o);
     inside_free_mesh(m);
-    return none;
+    return (tumble_body){ 0, 0 };
 }
 
 static bool is_thickness(tumble_world *w, double thickness)
@@ -443,18 +445,11 @@ tumble_body tumble_body_add_mesh(tumble_world *w, const tumble_vec3 *point,
                            points, triangles), b;
     vec3 *at = malloc((size_t)points * sizeof *at);
     int (*of)[3] = malloc((size_t)triangles * sizeof *of);
-    if (!at || !of) inside_is_ok(w, status_out_of_memory());
-    if (at && of) {
-        for (int k = 0; k < points; k++) at[k] = from_user(point[k]);
-        memcpy(of, triangle, (size_t)triangles * sizeof *of);
-        if (thickness == 0)
-            thickness = mean_side(at, points, triangle, triangles);
-        b = add_surface(w, at, points, (const int (*)[3])of, triangles,
-                        down, thickness, o);
-    }
-    free(at);
-    free(of);
-    return b;
+    for (int k = 0; at && k < points; k++) at[k] = from_user(point[k]);
+    if (of) memcpy(of, triangle, (size_t)triangles * sizeof *of);
+    if (at && thickness == 0)
+        thickness = mean_side(at, points, triangle, triangles);
+    return add_surface(w, at, points, of, triangles, down, thickness, o);
 }
 //<
 
@@ -500,15 +495,8 @@ tumble_body tumble_body_add_heights(tumble_world *w, const double *height,
     int (*cell)[3] = malloc((size_t)triangles * sizeof *cell);
     real side = real_max(width / (columns - 1), depth / (rows - 1));
     vec3 down = { 0, thickness > 0 ? -thickness : -2 * side, 0 };
-    if (!at || !cell) inside_is_ok(w, status_out_of_memory());
-    if (at && cell) {
-        place_heights(at, height, columns, rows, width, depth);
-        shape_cut_cells(cell, columns, rows);
-        b = add_surface(w, at, points, (const int (*)[3])cell, triangles, down,
-                        0, o);
-    }
-    free(at);
-    free(cell);
-    return b;
+    if (at) place_heights(at, height, columns, rows, width, depth);
+    if (cell) shape_cut_cells(cell, columns, rows);
+    return add_surface(w, at, points, cell, triangles, down, 0, o);
 }
 //<

@@ -37,39 +37,34 @@ tumble_shape inside_keep(tumble_world *w, shape *made, status done)
 tumble_shape tumble_shape_box(tumble_world *w, tumble_vec3 sides, double mass)
 {
     shape s;
-    status done = shape_box(&s, from_user(sides), mass);
-    return inside_keep(w, &s, done);
+    return inside_keep(w, &s, shape_box(&s, from_user(sides), mass));
 }
 
 tumble_shape tumble_shape_icosahedron(tumble_world *w, double radius,
                                       double mass)
 {
     shape s;
-    status done = shape_icosahedron(&s, radius, mass);
-    return inside_keep(w, &s, done);
+    return inside_keep(w, &s, shape_icosahedron(&s, radius, mass));
 }
 
 tumble_shape tumble_shape_sphere(tumble_world *w, double radius, double mass)
 {
     shape s;
-    status done = shape_sphere(&s, radius, mass);
-    return inside_keep(w, &s, done);
+    return inside_keep(w, &s, shape_sphere(&s, radius, mass));
 }
 
 tumble_shape tumble_shape_capsule(tumble_world *w, double length, double radius,
                                   double mass)
 {
     shape s;
-    status done = shape_capsule(&s, length, radius, mass);
-    return inside_keep(w, &s, done);
+    return inside_keep(w, &s, shape_capsule(&s, length, radius, mass));
 }
 
 tumble_shape tumble_shape_cylinder(tumble_world *w, double length,
                                    double radius, double mass)
 {
     shape s;
-    status done = shape_cylinder(&s, length, radius, mass);
-    return inside_keep(w, &s, done);
+    return inside_keep(w, &s, shape_cylinder(&s, length, radius, mass));
 }
 
 tumble_shape tumble_shape_hull(tumble_world *w, const tumble_vec3 *point, int n,
@@ -97,8 +92,7 @@ tumble_shape tumble_shape_rope(tumble_world *w, int n, double length,
                                double mass)
 {
     shape s;
-    status done = shape_rope(&s, n, length, mass);
-    return inside_keep(w, &s, done);
+    return inside_keep(w, &s, shape_rope(&s, n, length, mass));
 }
 
 // A cloth's diagonals are so much softer than its threads.
@@ -108,8 +102,8 @@ tumble_shape tumble_shape_cloth(tumble_world *w, int columns, int rows,
                                 double width, double depth, double mass)
 {
     shape s;
-    status done = shape_cloth(&s, columns, rows, width, depth, mass, DIAGONAL);
-    return inside_keep(w, &s, done);
+    return inside_keep(w, &s, shape_cloth(&s, columns, rows, width, depth, mass,
+                                          DIAGONAL));
 }
 
 tumble_shape tumble_shape_weighed(tumble_world *w, tumble_shape s, double mass,
@@ -130,8 +124,7 @@ tumble_shape tumble_shape_rounded(tumble_world *w, tumble_shape s,
     const shape_place *of = inside_shape(w, s);
     shape made;
     if (!of) return (tumble_shape){ 0, 0 };
-    status done = shape_round(&made, of->shape, radius);
-    return inside_keep(w, &made, done);
+    return inside_keep(w, &made, shape_round(&made, of->shape, radius));
 }
 
 bool tumble_shape_remove(tumble_world *w, tumble_shape s)

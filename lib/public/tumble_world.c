@@ -69,8 +69,8 @@ tumble_world *tumble_world_make(const tumble_options *options)
     }
     slots_init(&w->shapes, sizeof(shape_place));
     slots_init(&w->bodies, sizeof(body_place));
-    slots_init(&w->joints, sizeof(joint_place));
-    slots_init(&w->planes, sizeof(plane_place));
+    slots_init(&w->joints, sizeof(int));
+    slots_init(&w->planes, sizeof(int));
     w->failure = status_ok();
     return w;
 }
@@ -166,7 +166,7 @@ static bool add_plane(tumble_world *w, vec3 normal, double offset,
         return inside_fail(w, "a plane's friction is %g: it is not finite",
                            friction);
     if (!inside_is_ok(w, world_add_plane(all, normal, offset))) return false;
-    *(plane_place *)slots_at(&w->planes, place) = (plane_place){ k };
+    *(int *)slots_at(&w->planes, place) = k;
     material m = { friction, -1 };
     if (inside_is_ok(w, world_set_plane_material(all, k, m))) return true;
     world_remove_plane(all, k);
@@ -187,9 +187,9 @@ tumble_plane tumble_plane_add(tumble_world *w, tumble_vec3 normal,
 bool tumble_plane_remove(tumble_world *w, tumble_plane p)
 {
     if (!inside_is_world(w)) return false;
-    const plane_place *x = slots_find(&w->planes, p.place, p.generation);
-    if (!x) return inside_refuse(w, "plane", p.place, p.generation);
-    world_remove_plane(&w->world, x->number);
+    const int *x = inside_find(w, &w->planes, "plane", p.place, p.generation);
+    if (!x) return false;
+    world_remove_plane(&w->world, *x);
     slots_give(&w->planes, (int)p.place);
     return true;
 }

@@ -251,14 +251,6 @@ static inline void count_wrong(tally *t, int l, real twice, int old)
     t->worst[l] = t->worst[l] > size ? t->worst[l] : size;
     if (old) t->sum[l] += size;
 }
-
-static void halve(tally *t, int lanes)
-{
-    for (int l = 0; l < lanes; l++) {
-        t->worst[l] /= 2;
-        t->sum[l] /= 2;
-    }
-}
 //<
 
 //> line-eliminate
@@ -467,7 +459,8 @@ typedef struct {
     real more;                  // what is asked for, in what is wrong
     int  lanes;                 // 1, HALF or LANES
     int  start;                 // where in the body the line of lane 0 begins
-    int  open[LANES];           // 1: not solved yet
+    int  from;                  // lanes before this one are not looked at
+    int  old;                   // 1: along the old links; of one lane
     int  in_place;              // 1: solved where the body's places are
     bool may_skip;              // a block that is good
     int  direction;             // of the strands; -1: one that is not held
@@ -480,7 +473,7 @@ typedef struct {
                                 // NULL: none is
     int  pitch;
     tally t;
-    real first[LANES];          // m^2, t.worst before the first step
+    real first;                 // m^2, of lane 0: t.worst before the first step
 } block;
 
 static inline real *row_at(const block *b, int k)
@@ -490,12 +483,13 @@ static inline real *row_at(const block *b, int k)
 
 // The lines from number first on.  Where fewer are left than it has lanes, it
 // begins with lines of the block before: what comes out there is not looked at.
+// Along the old links each line is judged for itself, so each is a block.
 static void block_begin(block *b, int first)
 {
-    b->lanes = lanes_for(b->s.lines, first);
-    int last = b->s.lines - b->lanes, begin = first < last ? first : last;
+    b->lanes = b->old ? 1 : lanes_for(b->s.lines, first);
+    int begin = int_min(first, b->s.lines - b->lanes);
     b->start = begin * b->s.across;
-    for (int l = 0; l < b->lanes; l++) b->open[l] = begin + l >= first;
+    b->from = first - begin;
     b->held = NULL;
     if (b->drawn)
         b->drawn = b->scratch->drawn[b->direction]
@@ -512,11 +506,9 @@ static void block_begin(block *b, int first)
 // Neighbouring columns lie side by side in the body, and are solved where they
 // are.  Rows, and what must not be solved twice or may have to be taken back
 // (the old gradient), are copied.
-static int fits_in_place(const block *b, int old)
+static int fits_in_place(const block *b)
 {
-    int open = 0;
-    for (int l = 0; l < b->lanes; l++) open += b->open[l];
-    return !old && open == b->lanes && (b->lanes == 1 || b->s.across == 1);
+    return !b->old && b->from == 0 && (b->lanes == 1 || b->s.across == 1);
 }
 
 // One particle of all lanes, and back.
@@ -565,11 +557,11 @@ static void block_fetch(block *b)
     block_copy(b, b->hold, b->scratch->hold);
 }
 
-static void block_load(block *b, int old)
+static void block_load(block *b)
 {
-    int links = b->s.particles - 1;
-    b->in_place = fits_in_place(b, old);
-    b->pitch = b->s.along;
+    int links = b->s.particles - 1, along = b->s.along;
+    b->in_place = fits_in_place(b);
+    b->pitch = along;
     b->at = places_from(b->scratch->now, b->start);
     b->hold = places_from(b->scratch->hold, b->start);
     if (!b->in_place) block_fetch(b);
@@ -577,11 +569,9 @@ static void block_load(block *b, int old)
     // No link comes before the first, none after the last.
     real *before = row_at(b, -1), *after = row_at(b, links);
     for (int f = 0; f < FIELDS * b->lanes; f++) before[f] = after[f] = 0;
-    for (int k = 0; k < links && old; k++)
-        for (int l = 0; l < b->lanes; l++)
-            lane_set(row_at(b, k), PUSH, b->lanes, l,
-                     lane_link(b->scratch->before, b->s.along,
-                               b->start + l * b->s.across + k * b->s.along));
+    for (int k = 0; k < links && b->old; k++)
+        lane_set(row_at(b, k), PUSH, 1, 0,
+                 lane_link(b->scratch->before, along, b->start + k * along));
 }
 
 // The lanes that are solved go where they came from.
@@ -624,7 +614,7 @@ ALWAYS_INLINE void eliminate_lines(block *b, int lanes, int old)
             eliminate_giving(at, hold, apart, pitch, row, lanes, is_held,
                              rest2, half, b->drawn + (k - 1) * lanes,
                              b->give, &t);
-        else if (is_held && lanes > 1 && !old)
+        else if (is_held && lanes > 1)
             eliminate_held(at, hold, apart, pitch, row, lanes, rest2, half,
                            &t);
         else if (is_held)
@@ -637,8 +627,11 @@ ALWAYS_INLINE void eliminate_lines(block *b, int lanes, int old)
         at += pitch;
         hold += pitch;
     }
-    halve(&t, lanes);
-    for (int l = 0; l < lanes; l++) t.far[l] *= b->scratch->lightest;
+    for (int l = 0; l < lanes; l++) {
+        t.worst[l] /= 2;
+        t.sum[l] /= 2;
+        t.far[l] *= b->scratch->lightest;
+    }
     b->t = t;
 }
 
@@ -653,7 +646,7 @@ ALWAYS_INLINE void substitute_lines(block *b, int lanes, int old)
         real *row = b->scratch->link + k * FIELDS * lanes;
         real *after = row + FIELDS * lanes;
         bool is_held = b->held && b->held[k];
-        if (is_held && lanes > 1 && !old)
+        if (is_held && lanes > 1)
             substitute_held(at.x, at.y, at.z, at.weight, hold, apart, row,
                             after, lanes, pull, far);
         else if (is_held)
@@ -669,37 +662,20 @@ ALWAYS_INLINE void substitute_lines(block *b, int lanes, int old)
 
 // One loop for each number of lanes and each gradient, so that no loop chooses
 // and the compiler knows how many numbers lie side by side.
-static void block_eliminate(block *b, int old)
+static void block_eliminate(block *b)
 {
-    if (b->lanes == LANES && old)     eliminate_lines(b, LANES, 1);
-    else if (b->lanes == LANES)       eliminate_lines(b, LANES, 0);
-    else if (b->lanes == HALF && old) eliminate_lines(b, HALF, 1);
-    else if (b->lanes == HALF)        eliminate_lines(b, HALF, 0);
-    else if (old)                     eliminate_lines(b, 1, 1);
-    else                              eliminate_lines(b, 1, 0);
+    if (b->lanes == LANES)     eliminate_lines(b, LANES, 0);
+    else if (b->lanes == HALF) eliminate_lines(b, HALF, 0);
+    else if (b->old)           eliminate_lines(b, 1, 1);
+    else                       eliminate_lines(b, 1, 0);
 }
 
-static void block_substitute(block *b, int old)
+static void block_substitute(block *b)
 {
-    if (b->lanes == LANES && old)     substitute_lines(b, LANES, 1);
-    else if (b->lanes == LANES)       substitute_lines(b, LANES, 0);
-    else if (b->lanes == HALF && old) substitute_lines(b, HALF, 1);
-    else if (b->lanes == HALF)        substitute_lines(b, HALF, 0);
-    else if (old)                     substitute_lines(b, 1, 1);
-    else                              substitute_lines(b, 1, 0);
-}
-
-static void block_measure(block *b)
-{
-    tally t = { .worst = { 0 } };
-    real rest = b->s.rest_length;
-    for (int k = 0; k + 1 < b->s.particles; k++)
-        for (int l = 0; l < b->lanes; l++) {
-            vec3 link = lane_link(b->at, b->pitch, k * b->pitch + l);
-            count_wrong(&t, l, vec3_length_squared(link) - rest * rest, 0);
-        }
-    halve(&t, b->lanes);
-    for (int l = 0; l < b->lanes; l++) b->t.worst[l] = t.worst[l];
+    if (b->lanes == LANES)     substitute_lines(b, LANES, 0);
+    else if (b->lanes == HALF) substitute_lines(b, HALF, 0);
+    else if (b->old)           substitute_lines(b, 1, 1);
+    else                       substitute_lines(b, 1, 0);
 }
 //<
 
@@ -724,10 +700,10 @@ static vec3 move_of(const block *b, int k, int l)
 
 // m^2, the sum of what was wrong.  Along the new links it was not counted:
 // there each link has left its own in the row.
-static real sum_of_wrong(const block *b, int l, int old)
+static real sum_of_wrong(const block *b, int l)
 {
     real rest = b->s.rest_length, sum = 0;
-    if (old) return b->t.sum[l];
+    if (b->old) return b->t.sum[l];
     for (int k = 0; k + 1 < b->s.particles; k++) {
         vec3 link = lane_get(row_at(b, k), PUSH, b->lanes, l);
         sum += fabs(vec3_length_squared(link) - rest * rest) / 2;
@@ -735,10 +711,10 @@ static real sum_of_wrong(const block *b, int l, int old)
     return sum;
 }
 
-static void hold_back(block *b, int l, int old)
+static void hold_back(block *b, int l)
 {
     real rest = b->s.rest_length, far = 0;
-    real most = rest / 2 + sum_of_wrong(b, l, old) / rest;
+    real most = rest / 2 + sum_of_wrong(b, l) / rest;
     for (int k = 0; k < b->s.particles; k++)
         far = fmax(far, vec3_length_squared(move_of(b, k, l)));
     if (!(far > most * most)) return;
@@ -789,28 +765,28 @@ static void remember_pulls(const block *b, const int *solved)
 // Where all moves together are short, each is: so much of a link, squared.
 static const real TOO_FAR = 0.25;           // tuned, 1
 
-static void block_step(block *b, int old)
+static void block_step(block *b)
 {
     real rest = b->s.rest_length;
-    block_eliminate(b, old);
-    block_substitute(b, old);
+    block_eliminate(b);
+    block_substitute(b);
     for (int l = 0; l < b->lanes; l++)
-        if (b->t.far[l] > rest * rest * TOO_FAR) hold_back(b, l, old);
+        if (b->t.far[l] > rest * rest * TOO_FAR) hold_back(b, l);
 }
 
-// Newton steps for all lanes, from where the particles are.  Returns how many.
-static int block_newton(block *b, int old, int most, real tolerance)
+// Newton steps for all lanes, from where the particles are.
+static void block_newton(block *b, int most, real tolerance, line_result *r)
 {
     real enough = tolerance * b->s.rest_length * b->s.rest_length;
-    block_load(b, old);
+    block_load(b);
     for (int done = 1; ; done++) {
-        block_step(b, old);
         real worst = 0;
-        for (int l = 0; l < b->lanes; l++) {
-            if (done == 1) b->first[l] = b->t.worst[l];
+        block_step(b);
+        for (int l = 0; l < b->lanes; l++)
             worst = b->t.worst[l] > worst ? b->t.worst[l] : worst;
-        }
-        if (done == most || worst <= enough) return done;
+        if (done == 1) b->first = b->t.worst[0];
+        r->steps = int_max(r->steps, done);
+        if (done == most || worst <= enough) return;
     }
 }
 
@@ -828,32 +804,26 @@ static int is_lost(const block *b, int l)
 static const real WORKED = 0.125;           // tuned, 1
 static const real ROUNDING = 1e-9;
 
-static void block_judge(const block *b, real tolerance, int *solved)
+static bool has_worked(const block *b, real tolerance)
 {
-    real enough = fmax(tolerance, ROUNDING) * b->s.rest_length
-                                            * b->s.rest_length;
-    for (int l = 0; l < b->lanes; l++)
-        solved[l] = b->open[l] && !is_lost(b, l)
-                 && b->t.worst[l] <= fmax(enough, WORKED * b->first[l]);
+    real rest2 = b->s.rest_length * b->s.rest_length, worst = 0;
+    for (int k = 0; k + 1 < b->s.particles; k++) {
+        vec3 link = lane_link(b->at, b->pitch, k * b->pitch);
+        real wrong = fabs(vec3_length_squared(link) - rest2) / 2;
+        worst = worst > wrong ? worst : wrong;
+    }
+    return !is_lost(b, 0) && worst <= fmax(fmax(tolerance, ROUNDING) * rest2,
+                                           WORKED * b->first);
 }
 
-// Closes the lanes that are solved, and stores them.  Returns how many are
-// open still.
-static int block_close(block *b, const int *solved, const real *worst,
-                       line_result *r)
+// Stores the lanes that are solved.
+static void block_close(const block *b, const int *solved, line_result *r)
 {
     real rest = b->s.rest_length;
-    int open = 0;
-    for (int l = 0; l < b->lanes; l++) {
-        if (solved[l]) {
-            b->open[l] = 0;
-            r->worst = fmax(r->worst, worst[l] / (rest * rest));
-        }
-        open += b->open[l];
-    }
+    for (int l = 0; l < b->lanes; l++)
+        if (solved[l]) r->worst = fmax(r->worst, b->t.worst[l] / (rest * rest));
     if (b->drawn) remember_pulls(b, solved);
     block_store(b, solved);
-    return open;
 }
 //<
 
@@ -892,7 +862,7 @@ static real block_worst(const block *b, real enough)
     int steps = is_across ? links : b->lanes;
     real rest2 = s.rest_length * s.rest_length;
     real worst[LANES] = { 0 }, sum[LANES] = { 0 };
-    if (!is_across && side < LANES) return HUGE_VAL;
+    if (side < (is_across ? HALF : LANES)) return HUGE_VAL;
     for (int k = 0; k < steps; k++) {
         if (k % PEEK == 1 && largest(worst) > enough) return HUGE_VAL;
         for (int q = 0; q < side; q += LANES) {
@@ -919,16 +889,14 @@ static bool is_good(const block *b, real tolerance, line_result *r)
 
 //> line-solve
 //>   One direction is solved block by block.
-// Along the old links.  Returns how many lanes are open still.
-static int block_solve_old(block *b, int steps, real tolerance, line_result *r)
+// Along the old links.  False: that did not work, and the line is as it was.
+static bool block_solve_old(block *b, int steps, real tolerance, line_result *r)
 {
-    int solved[LANES], done = block_newton(b, 1, steps, tolerance);
-    real worst[LANES];
-    for (int l = 0; l < b->lanes; l++) worst[l] = b->t.worst[l];
-    block_measure(b);
-    block_judge(b, tolerance, solved);
-    if (done > r->steps) r->steps = done;
-    return block_close(b, solved, worst, r);
+    const int solved[LANES] = { 1 };
+    block_newton(b, steps, tolerance, r);
+    if (!has_worked(b, tolerance)) return false;
+    block_close(b, solved, r);
+    return true;
 }
 
 // A line whose numbers are lost, or get lost, goes back to where it began.
@@ -940,17 +908,19 @@ static void block_restore(block *b, int l, const particle *p)
     }
 }
 
-// The open lanes along the new ones.
+// Along the new ones.
 static void block_solve_new(block *b, int steps, real tolerance,
                             const particle *p, line_result *r)
 {
-    int solved[LANES], done = block_newton(b, 0, steps, tolerance);
+    int solved[LANES];
+    block_newton(b, steps, tolerance, r);
     for (int l = 0; l < b->lanes; l++) {
-        solved[l] = b->open[l] && !is_lost(b, l);
-        if (b->open[l] && !solved[l]) block_restore(b, l, p);
+        bool lost = l >= b->from && is_lost(b, l);
+        solved[l] = l >= b->from && !lost;
+        if (lost) block_restore(b, l, p);
+        if (lost) r->worst = HUGE_VAL;
     }
-    if (done > r->steps) r->steps = done;
-    if (block_close(b, solved, b->t.worst, r) > 0) r->worst = HUGE_VAL;
+    block_close(b, solved, r);
 }
 
 // All lines of the direction b.s, from the places to the places; p is where
@@ -960,12 +930,12 @@ static void solve(block b, const particle *p, int steps, relax_options options,
 {
     assert(b.s.particles <= b.scratch->particles);
     for (int first = 0; first < b.s.lines; first += b.lanes) {
+        b.old = options.gradient == GRADIENT_OLD;
         block_begin(&b, first);
         if (b.may_skip && is_good(&b, options.tolerance, r)) continue;
-        if (options.gradient == GRADIENT_OLD) {
-            if (block_solve_old(&b, steps, options.tolerance, r) == 0) continue;
-            r->fell_back = 1;
-        }
+        if (b.old && block_solve_old(&b, steps, options.tolerance, r)) continue;
+        r->fell_back |= b.old;
+        b.old = 0;
         block_solve_new(&b, steps, options.tolerance, p, r);
     }
 }

@@ -638,16 +638,20 @@ static real way_between(const vec3 *from, const vec3 *to, int a, int b)
                                         vec3_sub(to[b], from[b])));
 }
 
-static real way_to_neighbours(const vec3 *from, const vec3 *to, const body *x)
+// m^2; each vertex keeps the ways to the next of its row and of its column.
+static real way_to_neighbours(const vec3 *from, const vec3 *to, const body *x,
+                              real *beside)
 {
     int columns = x->shape->columns, n = columns * x->shape->rows;
     real most = 0;
     for (int i = 0; i < n; i++) {
         int v = x->first + i;
-        if ((i + 1) % columns > 0)
-            most = real_max(most, way_between(from, to, v, v + 1));
+        real way = 0;
+        if ((i + 1) % columns > 0) way = way_between(from, to, v, v + 1);
         if (i + columns < n)
-            most = real_max(most, way_between(from, to, v, v + columns));
+            way = real_max(way, way_between(from, to, v, v + columns));
+        beside[v] = way;
+        most = real_max(most, way);
     }
     return most;
 }
@@ -661,7 +665,8 @@ static void measure_ways(const frame_look *l, const vec3 *from)
     for (int n = 0; n < l->f->softs; n++) {
         const body *x = &l->f->body[l->f->soft[n]];
         if (!is_certified(l->f, l->f->soft[n])) continue;
-        most = real_max(most, way_to_neighbours(from, c->at[1], x));
+        most = real_max(most, way_to_neighbours(from, c->at[1], x,
+                                                c->beside));
         for (int v = x->first; v < x->first + body_particles(x); v++) {
             vec3 way = vec3_sub(c->at[1][v], from[v]);
             low = low_corner(low, way);
@@ -672,13 +677,27 @@ static void measure_ways(const frame_look *l, const vec3 *from)
     c->bent = sqrt(most);
 }
 
-// Neighbours' ways differ by little, and those of others by no more than the
-// sum from neighbour to neighbour.
-static real way_of(const certificate *c, const witness *w)
+// m: so far went neighbours of a range, at most.
+static real way_beside(const frame_look *l, cell_range r)
 {
+    real most = 0;
+    for (int j = r.top; j <= r.bottom; j++) {
+        const real *way = &l->c->beside[vertex_at(l, r.body, 0, j)];
+        for (int i = r.left; i <= r.right; i++) most = real_max(most, way[i]);
+    }
+    return sqrt(most);
+}
+
+// Neighbours' ways differ by little, and those of others by no more than the
+// sum from neighbour to neighbour.  A patch asks its own: where cloth lies, it
+// stays one, whatever swings elsewhere.
+static real way_of(const frame_look *l, const witness *w)
+{
+    const certificate *c = l->c;
     cell_range a = w->set[0].part.cells, b = w->set[1].part.cells;
     cell_range r = range_around(a, b);
-    if (w->kind != WITNESS_PLANE) return c->bent;
+    if (w->kind == WITNESS_SPREAD || w->kind == WITNESS_WINDOW)
+        return way_beside(l, r);
     if (a.body != b.body) return c->apart;
     int steps = r.right - r.left + r.bottom - r.top;
     return real_min(c->apart, steps * c->bent);
@@ -687,7 +706,7 @@ static real way_of(const certificate *c, const witness *w)
 static bool holds(const frame_look *now, witness *w)
 {
     vec3 where;
-    w->slack -= way_of(now->c, w);
+    w->slack -= way_of(now, w);
     if (w->slack > 0) return true;
     if (w->kind == WITNESS_PLANE) {
         box_all(now);
@@ -770,7 +789,7 @@ static void look_again(const frame_look *l)
     for (int k = 0; k < n; k++) {
         witness *w = &c->kept[k];
         if (w->kind == WITNESS_WINDOW || w->kind == WITNESS_ASKED) continue;
-        if (is_hopeless(c))         w->slack -= way_of(c, w);
+        if (is_hopeless(c))         w->slack -= way_of(l, w);
         else if (w->kind == WITNESS_LOST || !holds(&now, w)) prove_again(l, w);
     }
     if (is_hopeless(c)) c->keeps = clashed > 0 ? 0 : windows;
@@ -1137,6 +1156,7 @@ status certificate_grow(certificate *c, int kept, int particles)
     TABLE_GROW(ok, c->box, 2 * kept, 2 * particles);
     TABLE_GROW(ok, c->clash, kept, particles);
     TABLE_GROW(ok, c->seen, kept, particles);
+    TABLE_GROW(ok, c->beside, kept, particles);
     int room = int_max(WITNESSES * particles, c->room);
     TABLE_GROW(ok, c->kept, c->room, room);
     if (!ok) return status_out_of_memory();
@@ -1153,6 +1173,7 @@ void certificate_free(certificate *c)
     free(c->clash);
     free(c->kept);
     free(c->seen);
+    free(c->beside);
     *c = (certificate){ .particles = 0 };
 }
 //<

@@ -102,6 +102,8 @@ typedef struct {
     real since;                 // s, since all was where it is at first
     real apart, bent;           // m, no two of them went further from each
                                 // other, and no two neighbours
+    real *beside;               // [particles] m^2, each from the next of its
+                                // row and of its column
     bool is_boxed;              // the boxes are of this look
     vec3 *seen;                 // [particles] where ends were in the last look
     witness *kept;              // [room]: they prove that where

@@ -255,6 +255,32 @@ START_TEST(its_witnesses_are_replayed_by_dot_products)
 }
 END_TEST
 
+// One half of each sheet is sheared this way, the other that way, further and
+// further.  Rejects: half of the mixed term, which takes cells sheared by 2.4
+// times their height for spread out.
+START_TEST(no_patch_of_sheared_cloth_is_taken_for_spread_out)
+{
+    proof.read = listen;
+    proof.to = &count;
+    for (real shear = 0; shear < 4; shear += 0.1) {
+        unsigned long long seed = 1;
+        static vec3 end[ALL];
+        lay(&seed, 20 * SPACING);
+        for (int v = 0; v < ALL; v++) {
+            real x = at[v].position.x, side = x > 0 ? 1 : -1;
+            at[v].position.x += shear * side * at[v].position.z;
+        }
+        count = 0;
+        begin();
+        move(0, vec3_make(0, 1e-5, 0));
+        certificate_end(&proof, &frame);
+        for (int v = 0; v < ALL; v++) end[v] = at[v].position;
+        for (int k = 0; k < count; k++)
+            if (told[k].kind == WITNESS_SPREAD) replay_spread(&told[k], end);
+    }
+}
+END_TEST
+
 // --- what it does, and does not ----------------------------------------------
 
 START_TEST(what_does_not_cross_keeps_its_bits)
@@ -491,6 +517,117 @@ START_TEST(what_was_proved_is_asked_again_if_nothing_else_moved_it)
 }
 END_TEST
 
+// Few clash in each of many frames.  Rejects: clashes that are forgotten as soon
+// as they have been parted once.
+START_TEST(what_shivers_a_little_never_crosses)
+{
+    int prevented = 0;
+    for (unsigned long long seed = 21; seed < 24; seed++) {
+        unsigned long long state = seed;
+        lay(&state, 0.2 * SPACING);
+        for (int f = 0; f < 20; f++) {
+            begin();
+            for (int v = 0; v < ALL; v++)
+                move(v, vec3_scale(0.3 * SPACING, any(&state)));
+            certificate_end(&proof, &frame);
+            prevented += proof.prevented;
+            ck_assert_int_eq(crossing_now(), 0);
+        }
+    }
+    ck_assert_int_gt(prevented, 0);
+}
+END_TEST
+
+// Sheet 0 is crumpled so that more clash than there are vertices; the other, far
+// above it, falls through it.  Rejects: witnesses that were not asked, for it was
+// hopeless, and keep the room that they had.
+START_TEST(what_is_hopeless_hides_no_other_crossing)
+{
+    unsigned long long seed = 11;
+    const vec3 down = { 0, -40 * SPACING, 0 };
+    lay(&seed, 0.1 * SPACING);
+    for (int v = EACH; v < ALL; v++) at[v].position.y += 20 * SPACING;
+    for (int f = 0; f < 2; f++) {
+        begin();
+        for (int v = 0; v < ALL && f > 0; v++)
+            move(v, v < EACH ? vec3_scale(4 * SPACING, any(&seed)) : down);
+        certificate_end(&proof, &frame);
+    }
+    ck_assert_int_gt(proof.prevented, ALL);
+    ck_assert_int_eq(crossing_now(), 0);
+    for (int v = 0; v < EACH; v++)
+        ck_assert(at[v].position.y < at[EACH].position.y);
+}
+END_TEST
+
+// Rejects: windows of sheets at rest.
+START_TEST(what_sleeps_is_not_looked_at)
+{
+    unsigned long long seed = 12;
+    lay(&seed, SPACING);
+    asleep[0] = asleep[1] = true;
+    begin();
+    certificate_end(&proof, &frame);
+    asleep[0] = asleep[1] = false;
+    ck_assert_int_eq(proof.keeps, 0);
+}
+END_TEST
+
+// What has been proved already ends once.  Rejects: a second proof of a way that
+// has taken no time.
+START_TEST(a_way_of_no_time_is_not_proved)
+{
+    unsigned long long seed = 13;
+    lay(&seed, SPACING);
+    begin();
+    move(0, vec3_make(0, 1e-5, 0));
+    certificate_end(&proof, &frame);
+    real slack = proof.kept[0].slack;
+    move(0, vec3_make(0, 1e-5, 0));
+    certificate_end(&proof, &frame);
+    ck_assert(proof.kept[0].slack == slack);
+}
+END_TEST
+
+// Rejects: witnesses that become more for ever.
+START_TEST(what_is_worn_to_pieces_is_all_found_again)
+{
+    unsigned long long seed = 14;
+    lay(&seed, SPACING);
+    for (int f = 0; f < 2; f++) {
+        begin();
+        move(0, vec3_make(0, 1e-5, 0));
+        certificate_end(&proof, &frame);
+        if (f == 0) proof.made = proof.keeps / 3;
+    }
+    ck_assert_int_eq(proof.made, proof.keeps);
+}
+END_TEST
+
+// What hangs swings, and what lies keeps its patch.  Rejects: room that every
+// patch loses by the furthest way of all.
+START_TEST(a_patch_loses_room_by_its_own_ways_only)
+{
+    unsigned long long seed = 15;
+    lay(&seed, SPACING);
+    real slack[SHEETS] = { 0 };
+    for (int f = 0; f < 2; f++) {
+        begin();
+        move(0, vec3_make(0, f * 1e-4, 0));
+        certificate_end(&proof, &frame);
+        for (int k = 0; k < proof.keeps; k++) {
+            const witness *w = &proof.kept[k];
+            int b = w->set[0].part.cells.body;
+            if (w->kind != WITNESS_WINDOW) continue;
+            if (f > 0 && b == 1) ck_assert(w->slack == slack[b]);
+            if (f > 0 && b == 0) ck_assert(w->slack < slack[b]);
+            slack[b] = w->slack;
+        }
+    }
+    ck_assert(slack[0] > 0 && slack[1] > 0);
+}
+END_TEST
+
 int main(void)
 {
     const TTest *tests[] = {
@@ -501,6 +638,13 @@ int main(void)
         what_crosses_already_is_left_out_and_goes_its_way,
         lost_numbers_end_and_harm_no_other_sheet,
         what_was_proved_is_asked_again_if_nothing_else_moved_it,
+        no_patch_of_sheared_cloth_is_taken_for_spread_out,
+        what_shivers_a_little_never_crosses,
+        what_is_hopeless_hides_no_other_crossing,
+        what_sleeps_is_not_looked_at,
+        a_way_of_no_time_is_not_proved,
+        what_is_worn_to_pieces_is_all_found_again,
+        a_patch_loses_room_by_its_own_ways_only,
         what_asks_for_too_much_goes_a_part_of_it_and_keeps_its_momentum,
         NULL
     };

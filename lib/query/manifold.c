@@ -911,26 +911,6 @@ static int lowest_vertex(const collider *a, vec3 normal)
     return best;
 }
 
-static int vertex_of(const touch *t)
-{
-    return t->a.vertex[0];
-}
-
-// A solver takes the points in turn.  In this order a tower of 60 cubes stands
-// under seven gravities of seven; in that of the rim under six.
-static void sort_by_depth(manifold *m)
-{
-    for (int i = 1; i < m->count; i++) {
-        touch t = m->point[i];
-        int k = i;
-        for (; k > 0 && (t.gap < m->point[k - 1].gap
-                         || (t.gap <= m->point[k - 1].gap
-                             && vertex_of(&t) < vertex_of(&m->point[k - 1])));
-             k--) m->point[k] = m->point[k - 1];
-        m->point[k] = t;
-    }
-}
-
 // All corners of the patch, of which the lowest vertex has that gap.
 static void meet_plane(const patch *p, real gap, meetings *m)
 {
@@ -963,7 +943,6 @@ static manifold find_on_plane(const collider *a, vec3 normal, real offset,
     m.count = 0;
     meet_plane(&p, pair.gap, &m);
     found.count = keep(&m, &pair, &w, turn, found.point);
-    sort_by_depth(&found);
     return found;
 }
 

@@ -4,6 +4,7 @@
 //>   axis: a ball of r / c around it touches the rim at p, and nothing of the cylinder
 //>   is beyond.
 #include "rim.h"
+#include "cylinder.h"
 
 #include <math.h>
 
@@ -58,9 +59,10 @@ feature_point rim_feature(const rim_core *r, const feature_point *on_core)
     return (feature_point){ 2, { 0, 1 }, { 1 - part, part } };
 }
 
-// Halfway between two corners of the rim: 1 - cos(180 degrees / 32), and a little.
+// Halfway between two corners of the rim: 1 - cos x is at most x^2 / 2.
 real rim_sag(const shape *s)
 {
-    return 0.005 * s->rim;
+    const real x = 3.141592653589793 / CYLINDER_SIDES;
+    return x * x / 2 * s->rim;
 }
 //<

@@ -66,6 +66,18 @@ static inline bool table_grow_aligned(void *array, int kept, int room,
     return true;
 }
 
+// Gives a list of so many room for one more, if it has none.
+static inline bool table_add(void *array, int count, int *room, size_t size)
+{
+    int more = table_room(count + 1, *room);
+    if (count < *room) return true;
+    if (!table_grow(array, count, more, size)) return false;
+    *room = more;
+    return true;
+}
+#define TABLE_ADD(array, count, room) \
+    table_add(&(array), (count), &(room), sizeof *(array))
+
 // Exchanges two elements of that type.
 #define SWAP(type, a, b) \
     do { type was_ = (a); (a) = (b); (b) = was_; } while (0)

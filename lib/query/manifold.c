@@ -874,21 +874,16 @@ static manifold find_round(const collider *a, const collider *b, touch pair,
 static manifold find_rims(const collider *a, const collider *b,
                           const query_result *nearest, real margin, real turn)
 {
-    rim_core in_a, in_b;
+    rim_pair p;
     vec3 n = nearest->normal;
-    bool has_a = rim_towards(a->shape, a->at, vec3_scale(-1, n), &in_a);
-    bool has_b = rim_towards(b->shape, b->at, n, &in_b);
-    collider x = query_core(a, has_a ? &in_a : NULL);
-    collider y = query_core(b, has_b ? &in_b : NULL);
     touch pair = nearest->at;
-    if (has_a || has_b)
-        query_touch_cores(a, b, has_a ? &in_a : NULL, has_b ? &in_b : NULL, n,
-                          &pair);
+    query_see_rims(&p, a, b, n);
+    query_touch_cores(a, b, &p, n, &pair);
+    collider x = query_core(a, &p.a), y = query_core(b, &p.b);
     manifold m = find_round(&x, &y, pair, n, margin, turn);
     for (int k = 0; k < m.count; k++) {
-        touch *t = &m.point[k];
-        if (has_a) t->a = rim_feature(&in_a, &t->a);
-        if (has_b) t->b = rim_feature(&in_b, &t->b);
+        m.point[k].a = rim_feature(&p.a, &m.point[k].a);
+        m.point[k].b = rim_feature(&p.b, &m.point[k].b);
     }
     return m;
 }
@@ -914,26 +909,6 @@ static int lowest_vertex(const collider *a, vec3 normal)
         if (height < least) least = height, best = v;
     }
     return best;
-}
-
-static int vertex_of(const touch *t)
-{
-    return t->a.vertex[0];
-}
-
-// A solver takes the points in turn.  In this order a tower of 60 cubes stands
-// under seven gravities of seven; in that of the rim under six.
-static void sort_by_depth(manifold *m)
-{
-    for (int i = 1; i < m->count; i++) {
-        touch t = m->point[i];
-        int k = i;
-        for (; k > 0 && (t.gap < m->point[k - 1].gap
-                         || (t.gap <= m->point[k - 1].gap
-                             && vertex_of(&t) < vertex_of(&m->point[k - 1])));
-             k--) m->point[k] = m->point[k - 1];
-        m->point[k] = t;
-    }
 }
 
 // All corners of the patch, of which the lowest vertex has that gap.
@@ -968,7 +943,6 @@ static manifold find_on_plane(const collider *a, vec3 normal, real offset,
     m.count = 0;
     meet_plane(&p, pair.gap, &m);
     found.count = keep(&m, &pair, &w, turn, found.point);
-    sort_by_depth(&found);
     return found;
 }
 

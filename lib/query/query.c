@@ -97,21 +97,15 @@ static query_result nearest_hulls(const collider *a, const collider *b,
 
 //> query-rims
 //>   What the search found on the prism of a cylinder is moved out to its rim.
-// The two rims that look along the normal of a pair, if there are any.
-typedef struct {
-    rim_core a, b;
-    bool has_a, has_b;
-} rim_pair;
-
-static void see_rims(rim_pair *p, const collider *a, const collider *b, vec3 n)
+void query_see_rims(rim_pair *p, const collider *a, const collider *b, vec3 n)
 {
-    p->has_a = rim_towards(a->shape, a->at, vec3_scale(-1, n), &p->a);
-    p->has_b = rim_towards(b->shape, b->at, n, &p->b);
+    rim_towards(a->shape, a->at, vec3_scale(-1, n), &p->a);
+    rim_towards(b->shape, b->at, n, &p->b);
 }
 
 collider query_core(const collider *c, const rim_core *r)
 {
-    return r ? (collider){ &r->core, r->at, false } : *c;
+    return r->is_seen ? (collider){ &r->core, r->at, false } : *c;
 }
 
 static bool is_on_core(const feature_point *f)
@@ -121,12 +115,14 @@ static bool is_on_core(const feature_point *f)
     return true;
 }
 
-void query_touch_cores(const collider *a, const collider *b, const rim_core *of_a,
-                       const rim_core *of_b, vec3 n, touch *t)
+void query_touch_cores(const collider *a, const collider *b, const rim_pair *p,
+                       vec3 n, touch *t)
 {
-    collider x = query_core(a, of_a), y = query_core(b, of_b);
-    if (of_a && !is_on_core(&t->a)) t->a = rim_furthest(of_a, vec3_scale(-1, n));
-    if (of_b && !is_on_core(&t->b)) t->b = rim_furthest(of_b, n);
+    if (!p->a.is_seen && !p->b.is_seen) return;
+    collider x = query_core(a, &p->a), y = query_core(b, &p->b);
+    if (p->a.is_seen && !is_on_core(&t->a))
+        t->a = rim_furthest(&p->a, vec3_scale(-1, n));
+    if (p->b.is_seen && !is_on_core(&t->b)) t->b = rim_furthest(&p->b, n);
     vec3 apart = vec3_sub(feature_at(&t->a, x.at), feature_at(&t->b, y.at));
     t->gap = vec3_dot(n, apart) - query_round(&x, &y);
 }
@@ -134,8 +130,7 @@ void query_touch_cores(const collider *a, const collider *b, const rim_core *of_
 // Is the normal still across the axis, and the answer found on the side?
 static bool stays_flat(const rim_pair *was, const rim_pair *now)
 {
-    return (!was->has_a || !was->a.is_flat || (now->has_a && now->a.is_flat))
-        && (!was->has_b || !was->b.is_flat || (now->has_b && now->b.is_flat));
+    return now->a.is_flat >= was->a.is_flat && now->b.is_flat >= was->b.is_flat;
 }
 
 // A side that faces the other body is asked as the capsule that it belongs to: over
@@ -143,15 +138,15 @@ static bool stays_flat(const rim_pair *was, const rim_pair *now)
 static bool ask_sides(const collider *a, const collider *b, query_result *r,
                       const rim_pair *p)
 {
-    bool is_a = p->has_a && p->a.is_flat, is_b = p->has_b && p->b.is_flat;
     query_cache none = { .count = 0 };
-    if (!is_a && !is_b) return false;
-    collider x = is_a ? (collider){ &p->a.core, a->at, false } : *a;
-    collider y = is_b ? (collider){ &p->b.core, b->at, false } : *b;
+    if (!p->a.is_flat && !p->b.is_flat) return false;
+    collider x = *a, y = *b;
+    if (p->a.is_flat) x.shape = &p->a.core;
+    if (p->b.is_flat) y.shape = &p->b.core;
     query_result side = nearest_hulls(&x, &y, HUGE_VAL, &none);
     rim_pair now;
     if (!side.near) return false;
-    see_rims(&now, a, b, side.normal);
+    query_see_rims(&now, a, b, side.normal);
     if (!stays_flat(p, &now)) return false;
     *r = side;
     return true;
@@ -164,11 +159,9 @@ static query_result nearest_rims(const collider *a, const collider *b,
                                          + rim_sag(b->shape), carried);
     if (!r.near) return r;
     rim_pair p;
-    see_rims(&p, a, b, r.normal);
-    if (ask_sides(a, b, &r, &p)) see_rims(&p, a, b, r.normal);
-    if (p.has_a || p.has_b)
-        query_touch_cores(a, b, p.has_a ? &p.a : NULL, p.has_b ? &p.b : NULL,
-                          r.normal, &r.at);
+    query_see_rims(&p, a, b, r.normal);
+    if (ask_sides(a, b, &r, &p)) query_see_rims(&p, a, b, r.normal);
+    query_touch_cores(a, b, &p, r.normal, &r.at);
     r.near = r.at.gap <= margin;
     return r;
 }

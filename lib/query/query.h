@@ -66,13 +66,20 @@ hull query_hull(const collider *c);
 // m, the sum of the radii around the cores of two; 0 unless they are round.
 real query_round(const collider *a, const collider *b);
 
-// What is touched of a body: the core of that rim, or, of NULL, the body.
+// The rims of two bodies that look along the normal between them.
+typedef struct {
+    rim_core a, b;
+} rim_pair;
+
+void query_see_rims(rim_pair *p, const collider *a, const collider *b, vec3 n);
+
+// What is touched of a body: the core of that rim, or the body if none is seen.
 collider query_core(const collider *c, const rim_core *r);
 
-// The points of a touch along n go on to the cores of the rims, whichever are not
-// NULL, where they are not there yet; the gap is theirs.
-void query_touch_cores(const collider *a, const collider *b, const rim_core *of_a,
-                       const rim_core *of_b, vec3 n, touch *t);
+// The points of a touch along n go on to the cores of the rims that are seen, where
+// they are not there yet; the gap is theirs.
+void query_touch_cores(const collider *a, const collider *b, const rim_pair *p,
+                       vec3 n, touch *t);
 
 #endif
 //<

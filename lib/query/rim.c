@@ -4,6 +4,7 @@
 //>   axis: a ball of r / c around it touches the rim at p, and nothing of the cylinder
 //>   is beyond.
 #include "rim.h"
+#include "cylinder.h"
 
 #include <math.h>
 
@@ -23,6 +24,7 @@ static void make_core(const shape *s, real round, rim_core *r)
 
 bool rim_towards(const shape *s, const vec3 *at, vec3 d, rim_core *r)
 {
+    r->is_seen = r->is_flat = false;
     if (!(s->rim > 0)) return false;
     vec3 way = vec3_sub(at[1], at[0]);
     real length = vec3_length(way), along = vec3_dot(d, way) / length;
@@ -35,7 +37,7 @@ bool rim_towards(const shape *s, const vec3 *at, vec3 d, rim_core *r)
         r->at[k] = vec3_add_scaled(at[0], r->part[k], way);
     }
     r->is_flat = fabs(along) <= LEAN_SINE;
-    return true;
+    return r->is_seen = true;
 }
 //<
 
@@ -51,14 +53,16 @@ feature_point rim_furthest(const rim_core *r, vec3 d)
 feature_point rim_feature(const rim_core *r, const feature_point *on_core)
 {
     real part = 0;
+    if (!r->is_seen) return *on_core;
     for (int k = 0; k < on_core->count; k++)
         part += on_core->weight[k] * r->part[on_core->vertex[k]];
     return (feature_point){ 2, { 0, 1 }, { 1 - part, part } };
 }
 
-// Halfway between two corners of the rim: 1 - cos(180 degrees / 32), and a little.
+// Halfway between two corners of the rim: 1 - cos x is at most x^2 / 2.
 real rim_sag(const shape *s)
 {
-    return 0.005 * s->rim;
+    const real x = 3.141592653589793 / CYLINDER_SIDES;
+    return x * x / 2 * s->rim;
 }
 //<

@@ -16,6 +16,8 @@ typedef struct {
     hull a, b;         // the same, for gjk
     real near, aim;         // m: to come nearer than near is to touch; we aim
                             // at a little less
+    hull other;             // B as it was given, and how both go, if they turn:
+    const swept_motion *of_a, *of_b;    // then all is seen from the world
 } sweep;
 
 // Copies p as seen from its first point.  Returns its largest coordinate; not
@@ -51,8 +53,7 @@ static real coordinates(vec3 v)
 static int sweep_begin(sweep *s, hull a, vec3 way, hull b,
                        real apart, real tolerance, vec3 *scratch)
 {
-    s->given = s->a = a;
-    s->b = b;
+    *s = (sweep){ .given = a, .a = a, .b = b };
     s->a.at = s->a_at = scratch;
     s->b.at = s->b_at = scratch + a.count;
     s->start = vec3_sub(a.at[0], b.at[0]);
@@ -68,6 +69,11 @@ static int sweep_begin(sweep *s, hull a, vec3 way, hull b,
 
 static void sweep_place(sweep *s, real time)
 {
+    if (s->of_a) {
+        swept_place(s->given, s->of_a, time, s->a_at);
+        swept_place(s->other, s->of_b, time, s->b_at);
+        return;
+    }
     vec3 a0 = s->given.at[0];
     vec3 at = vec3_add_scaled(s->start, time, s->way);
     for (int i = 0; i < s->given.count; i++)
@@ -87,6 +93,22 @@ static vec3 direction(vec3 a)
 }
 //<
 
+//> swept-closing
+//>   The plane between them says how far they are to go along one direction,
+//>   $`n`$. No point of a body is faster along $`n`$ than its centre by more than
+//>   $`n \cdot (\varphi \times r) = r \cdot (n \times \varphi) \le |r|\,|n \times
+//>   \varphi|`$ in a frame.
+// m in a frame, at most, at which the hulls come nearer along n, from B to A.
+static real sweep_closing(const sweep *s, vec3 n)
+{
+    const swept_motion *a = s->of_a, *b = s->of_b;
+    if (!a) return -vec3_dot(s->way, n);
+    return vec3_dot(vec3_sub(b->way, a->way), n)
+         + a->out * vec3_length(vec3_cross(n, a->turn))
+         + b->out * vec3_length(vec3_cross(n, b->turn));
+}
+//<
+
 //> swept-step
 // Asks for the distance at r->time, and goes on to a later time up to which
 // they surely do not touch.  1: ask again; 0: r->status is the answer.  In
@@ -98,7 +120,7 @@ static vec3 direction(vec3 a)
 // After a further share t of the way, x has become x + t way:
 //   (x + t way - y) . n >= d + t way . n,
 // which is more than aim as long as t < (d - aim) / -(way . n); and for ever if
-// way . n >= 0.
+// way . n >= 0.  What turns comes nearer by no more than sweep_closing says.
 static int sweep_step(sweep *s, swept_result *r)
 {
     sweep_place(s, r->time);
@@ -118,7 +140,7 @@ static int sweep_step(sweep *s, swept_result *r)
     if (!(g.distance > s->near)) return 0;
 
     // Along n they part, or come nearer too slowly to meet on this way.
-    real closing = -vec3_dot(s->way, r->normal);
+    real closing = sweep_closing(s, r->normal);
     real next = r->time + (g.distance - s->aim) / closing;
     r->status = SWEPT_PASSES;
     if (!(closing > 0 && next <= 1)) return 0;
@@ -177,44 +199,18 @@ void swept_place(hull h, const swept_motion *m, real t, vec3 *out)
 //<
 
 //> swept-turning
-//>   The plane between them says how far they are to go along one direction,
-//>   $`n`$. No point of a body is faster along $`n`$ than its centre by more than
-//>   $`n \cdot (\varphi \times r) = r \cdot (n \times \varphi) \le |r|\,|n \times
-//>   \varphi|`$ in a frame.
-// m in a frame, at most, at which hulls come nearer along n, from B to A.
-static real turning_closing(const swept_motion *a, const swept_motion *b, vec3 n)
-{
-    return vec3_dot(vec3_sub(b->way, a->way), n)
-         + a->out * vec3_length(vec3_cross(n, a->turn))
-         + b->out * vec3_length(vec3_cross(n, b->turn));
-}
-
+//>   The same steps, with both hulls placed by `swept_place`.
 swept_result swept_turning(hull a, const swept_motion *of_a, hull b,
                            const swept_motion *of_b, real apart, real tolerance,
                            vec3 *scratch)
 {
-    const hull now = { scratch, a.count }, other = { scratch + a.count, b.count };
+    vec3 *b_at = scratch + a.count;
+    sweep s = { .given = a, .other = b, .of_a = of_a, .of_b = of_b,
+                .a_at = scratch, .b_at = b_at,
+                .a = { scratch, a.count }, .b = { b_at, b.count },
+                .near = apart + tolerance, .aim = apart + tolerance / 2 };
     swept_result r = { .status = SWEPT_CAPPED };
-    while (r.iterations < TURNING_CAP) {
-        swept_place(a, of_a, r.time, scratch);
-        swept_place(b, of_b, r.time, scratch + a.count);
-        gjk_result g = gjk_distance(now, other, HUGE_VAL, &r.last);
-        bool is_first = r.iterations++ == 0;
-        r.supports += g.iterations;
-        r.on_a = g.on_a;
-        r.on_b = g.on_b;
-        r.status = SWEPT_NOT_FINITE;
-        if (g.status == GJK_NOT_FINITE) return r;
-        if (g.status != GJK_OVERLAP) r.normal = direction(g.axis);
-        r.status = is_first ? SWEPT_OVERLAP : SWEPT_TOUCHES;
-        if (!(g.distance > apart + tolerance)) return r;
-        real closing = turning_closing(of_a, of_b, r.normal);
-        real next = r.time + (g.distance - apart - tolerance / 2) / closing;
-        r.status = SWEPT_PASSES;
-        if (!(closing > 0 && next <= 1)) return r;
-        r.time = next;
-        r.status = SWEPT_CAPPED;
-    }
+    while (r.iterations < TURNING_CAP && sweep_step(&s, &r)) continue;
     return r;
 }
 //<

@@ -3,6 +3,7 @@
 //>   cylinder along each edge, and a part of a ball at each corner.
 #include "rounding.h"
 #include "arctan.h"
+#include "capsule.h"
 
 #include "gjk.h"
 #include "hull.h"
@@ -259,10 +260,8 @@ status shape_round(shape *s, const shape *of, real radius)
     *s = (shape){ .kind = of->kind };
     if (of->kind != SHAPE_RIGID || of->mesh.faces == 0)
         return status_fail("only a rigid shape with faces can be rounded");
-    if (!(radius >= 1e-30 && radius <= 1e30))
-        return status_fail("the radius is %g m: it must be a number from 1e-30 "
-                           "to 1e+30", radius);
-    status done = weight_copy(s, of);
+    status done = size_check("radius", radius, "m");
+    if (done.ok) done = weight_copy(s, of);
     if (!done.ok) return done;
     real mass = rigid4_mass(of), round = of->round + radius;
     s->own.mass = s->round = s->rim = 0;

@@ -81,11 +81,11 @@ static status make_skin(struct skin *k, real half, real radius)
 //> round-make
 //>   Mass and inertia are those of the solid, so that chapter 13 can build its
 //>   four particles.
-static status check_size(const char *name, real value)
+status size_check(const char *name, real value, const char *unit)
 {
     if (value >= 1e-30 && value <= 1e30) return status_ok();
-    return status_fail("the %s is %g m: it must be a number from 1e-30 to "
-                       "1e+30", name, value);
+    return status_fail("the %s is %g %s: it must be a number from 1e-30 to "
+                       "1e+30", name, value, unit);
 }
 
 // A core of two particles is an edge with nothing on either side.
@@ -102,7 +102,7 @@ static status make_round(shape *s, real half, real radius, real mass)
 {
     int particles = half > 0 ? 2 : 1;
     status r = shape_begin(s, SHAPE_RIGID, particles, 1, mass);
-    if (r.ok) r = check_size("radius", radius);
+    if (r.ok) r = size_check("radius", radius, "m");
     if (r.ok) r = shape_span(s, NULL, 0);
     if (r.ok) r = make_skin(&s->skin, half, radius);
     if (r.ok && particles == 2) {
@@ -127,7 +127,7 @@ status shape_capsule(shape *s, real length, real radius, real mass)
 {
     assert(s);
     *s = (shape){ .kind = SHAPE_RIGID };
-    status r = check_size("length", length);
+    status r = size_check("length", length, "m");
     return r.ok ? make_round(s, length / 2, radius, mass) : r;
 }
 //<

@@ -3,6 +3,7 @@
 #include "cylinder.h"
 
 #include <assert.h>
+#include <string.h>
 
 enum { QUARTER_SIDES = CYLINDER_SIDES / 4,
        CYLINDER_POINTS = 2 + 2 * CYLINDER_SIDES,
@@ -43,34 +44,24 @@ static void place_rims(vec3 *at, real half, real radius)
 
 //> cylinder-make
 //>   The prism is a convex body as any other; the shape is told that it is round.
-static void set_triangle(int *face, int a, int b, int c)
-{
-    face[0] = a;
-    face[1] = b;
-    face[2] = c;
-}
-
 static void span_prism(int face[CYLINDER_FACES][3])
 {
     for (int k = 0; k < CYLINDER_SIDES; k++) {
         int next = (k + 1) % CYLINDER_SIDES;
         int low = 2 + k, low_next = 2 + next;
         int high = low + CYLINDER_SIDES, high_next = low_next + CYLINDER_SIDES;
-        set_triangle(face[4 * k], 0, low, low_next);
-        set_triangle(face[4 * k + 1], 1, high_next, high);
-        set_triangle(face[4 * k + 2], low, high, high_next);
-        set_triangle(face[4 * k + 3], low, high_next, low_next);
+        const int side[4][3] = {
+            { 0, low, low_next }, { 1, high_next, high },
+            { low, high, high_next }, { low, high_next, low_next } };
+        memcpy(face[4 * k], side, sizeof side);
     }
 }
 
 static status check_cylinder(real length, real radius)
 {
-    const real value[] = { length, radius };
-    const char *const name[] = { "length", "radius" };
-    for (int k = 0; k < 2; k++)
-        if (!(value[k] >= 1e-30 && value[k] <= 1e30))
-            return status_fail("the %s is %g m: it must be a number from 1e-30 "
-                               "to 1e+30", name[k], value[k]);
+    status r = size_check("length", length, "m");
+    if (r.ok) r = size_check("radius", radius, "m");
+    if (!r.ok) return r;
     if (radius >= 1e-4 * length && radius <= 1e4 * length) return status_ok();
     return status_fail("the radius is %g of the length: it must be from 0.0001 "
                        "to 10000", radius / length);

@@ -7,6 +7,7 @@
 #ifndef TUMBLE_CYLINDER_H
 #define TUMBLE_CYLINDER_H
 
+#include "capsule.h"
 #include "convex.h"
 
 // Of that length and radius, evenly filled.  Its axis lies along y, with its middle

@@ -62,14 +62,6 @@ real drive_fastest(const world *w)
     return most;
 }
 
-bool drive_any(const world *w)
-{
-    bool any = false;
-    for (int k = 0; k < w->rigid.awakes && w->kinematic_bodies > 0; k++)
-        any |= body_is_driven(w, w->rigid.awake[k]);
-    return any;
-}
-
 void drive_drop_walls(world *w)
 {
     pair_list *l = &w->rigid.pairs;

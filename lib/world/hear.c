@@ -4,20 +4,6 @@
 #include "hear.h"
 #include "table.h"
 
-#include <stdlib.h>
-
-static bool reserve_heard(rigid_tables *t)
-{
-    int room = t->heard_room;
-    if (t->hears < room) return true;
-    room = 2 * room + 64;
-    heard_impulse *more = realloc(t->heard, (size_t)room * sizeof *more);
-    if (!more) return false;
-    t->heard = more;
-    t->heard_room = room;
-    return true;
-}
-
 // The points of c, each with its share; of an impact all alike.
 static vec3 heard_at(const world *w, const contact *c)
 {
@@ -37,7 +23,8 @@ static vec3 heard_at(const world *w, const contact *c)
 static void write(world *w, const contact *c, real impulse)
 {
     rigid_tables *t = &w->rigid;
-    if (!(impulse > 0) || c->count == 0 || !reserve_heard(t)) return;
+    if (!(impulse > 0) || c->count == 0) return;
+    if (!TABLE_ADD(t->heard, t->hears, t->heard_room)) return;
     t->heard[t->hears++] = (heard_impulse){ c->a, c->b, heard_at(w, c),
                                             c->normal, impulse };
 }

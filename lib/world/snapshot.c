@@ -243,17 +243,9 @@ static void shape_entry_store(shape_entry *e, store *s)
     if (s->is_reading && e->line) line_scratch_init(e->line, e->shape);
 }
 
-// The table of shapes doubles when it is full.
-static int doubled(int count)
-{
-    int room = 1;
-    while (room < count) room *= 2;
-    return room;
-}
-
 static void shapes_store(world *w, store *s)
 {
-    STORE_TABLE(s, w->shape, w->shapes, doubled(w->shapes));
+    STORE_TABLE(s, w->shape, w->shapes, w->shape_room);
     if (!w->shape) w->shapes = 0;       // there are none to be freed
     store_enter(s);
     for (int k = 0; k < w->shapes; k++) shape_entry_store(&w->shape[k], s);
@@ -335,8 +327,8 @@ void world_store(world *w, store *s)
     STORE_TABLE(s, w->pool.at, particles, room);
     STORE_TABLE(s, w->inverse_mass, particles, room);
     STORE_TABLE(s, w->owner, particles, room);
-    STORE_TABLE(s, w->plane, w->planes, doubled(w->planes));
-    STORE_TABLE(s, w->wall, w->planes, doubled(w->planes));
+    STORE_TABLE(s, w->plane, w->planes, w->plane_room);
+    STORE_TABLE(s, w->wall, w->planes, w->wall_room);
     shapes_store(w, s);
     bodies_store(w, s);
     rigid_store(&w->rigid, w->bodies, w->room, s);

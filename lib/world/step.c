@@ -741,12 +741,13 @@ static void fall_asleep(world *w)
         observe(w);
         sleep_end(&w->sleep);
     }
+    w->report.asleep = w->sleep.sleepers;
+    w->is_still = w->report.asleep > 0
+               && w->report.asleep == w->dynamic_bodies;
     for (int k = 0; k < w->rigid.awakes; k++) {
         int b = w->rigid.awake[k];
         if (w->sleep.asleep[b]) world_pin_sleeper(w, b);
+        w->is_still &= !body_is_driven(w, b);
     }
-    w->report.asleep = w->sleep.sleepers;
-    w->is_still = w->report.asleep > 0
-               && w->report.asleep == w->dynamic_bodies && !drive_any(w);
 }
 //<

@@ -84,15 +84,6 @@ static status check_options(const world_options *o)
 //> world-init
 //>   A world begins empty. A table grows when the first thing comes that needs
 //>   it.
-// Grows an array that is only added to; doubles, so that adding n elements
-// copies O(n) of them.
-static void *grown(void *old, int count, size_t size)
-{
-    int is_full = count == 0 || (count & (count - 1)) == 0;
-    if (!is_full) return old;
-    return realloc(old, (size_t)(count > 0 ? 2 * count : 1) * size);
-}
-
 status world_init(world *w, world_options options)
 {
     *w = (world){ .options = options };
@@ -136,15 +127,6 @@ static void set_plane(world *w, int k, plane p)
     for (int b = 0; b < w->bodies; b++) world_wake(w, b);
 }
 
-static bool make_plane_room(world *w)
-{
-    plane *more = grown(w->plane, w->planes, sizeof *more);
-    if (more) w->plane = more;
-    material *wall = grown(w->wall, w->planes, sizeof *wall);
-    if (wall) w->wall = wall;
-    return more && wall;
-}
-
 status world_add_plane(world *w, vec3 normal, real offset)
 {
     real length = vec3_length(normal), away = offset / length;
@@ -152,7 +134,8 @@ status world_add_plane(world *w, vec3 normal, real offset)
     if (!(length > 0) || !(length < HUGE_VAL) || !(fabs(away) <= 1e60))
         return status_fail("a plane needs a finite normal, and an offset of at "
                            "most 1e60 m, as corners do");
-    if (k == w->planes && !make_plane_room(w)) return status_out_of_memory();
+    if (!TABLE_ADD(w->plane, k, w->plane_room)
+        || !TABLE_ADD(w->wall, k, w->wall_room)) return status_out_of_memory();
     w->planes += k == w->planes;
     set_plane(w, k, (plane){ vec3_scale(1 / length, normal), away });
     return status_ok();
@@ -402,10 +385,7 @@ static status enter_shape(world *w, const shape *s, bool is_part, int *number)
     if (is_part) place = free_entry(w);
     else         *number = find_shape(w, s, &place);
     if (*number >= 0) return status_ok();
-    shape_entry *more = w->shape;
-    if (place == w->shapes) more = grown(more, w->shapes, sizeof *more);
-    if (!more) return status_out_of_memory();
-    w->shape = more;
+    if (!TABLE_ADD(w->shape, place, w->shape_room)) return status_out_of_memory();
     shape_entry entry = { .shape = s };
     status done = status_ok();
     if (s->kind == SHAPE_RIGID) {

@@ -281,6 +281,7 @@ typedef struct world {
     int  part_place, part_entry;    // none before that place is free for a part,
                             // and none before that one for its shape
     int  planes, shapes, softs;     // places of planes; softs: deformable bodies
+    int  plane_room, wall_room, shape_room;     // for so many there are tables
     struct body *body;
     struct plane *plane;
     material *wall;         // [planes] what each is made of

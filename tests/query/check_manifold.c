@@ -834,7 +834,7 @@ static int as_on_a_slab(const standing *a, const standing *slab, real margin)
     for (int k = 0; k < m.count; k++) {
         int v = m.point[k].a.vertex[0], met = r.count < 4 ? 0 : 1;
         ck_assert(fabs(a->at[v].y - m.point[k].gap) <= ROUNDING);
-        ck_assert(k == 0 || m.point[k].gap >= m.point[k - 1].gap);
+        ck_assert(m.point[k].gap >= m.point[0].gap - ROUNDING);
         // (Of more than four corners rounding chooses.)
         for (int i = 0; i < r.count; i++)
             met |= r.of[i].a.count == 1 && r.of[i].a.vertex[0] == v;

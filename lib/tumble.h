@@ -105,7 +105,10 @@ typedef struct {
     double restitution;     // likewise, 0; 0 to 1: speed after an impact / that
                             // before
     double sleep_speed;     // m/s, slower bodies fall asleep, 0.005: turn up if
-                            // they keep awake too long; 0: none sleeps.  (What
+                            // they keep awake too long; 0: none sleeps.  It is
+                            // that of a cube of 1 m under 9.81 m/s^2: for
+                            // others it goes as the root of radius times
+                            // gravity, as all speeds do (Froude).  (What
                             // rolls at less than 30 times that, and is not
                             // pulled along, is braked by 1/100 of its weight.)
     double time_to_sleep;   // s, 0.5

@@ -13,11 +13,12 @@
 #include <string.h>
 
 // A body whose numbers are lost does not count.
-static void add_motion(island *i, real energy, real inverse_mass)
+static void add_motion(island *i, real energy, vec3 velocity, real inverse_mass)
 {
     if (!(energy < HUGE_VAL) || !(inverse_mass > 0)) return;
     i->energy += energy;
     i->mass += 1 / inverse_mass;
+    i->momentum = vec3_add_scaled(i->momentum, 1 / inverse_mass, velocity);
 }
 
 static island *budget_of(const world *w, int b)
@@ -29,13 +30,18 @@ static island *budget_of(const world *w, int b)
 static void sum_motion(world *w)
 {
     const rigid_tables *t = &w->rigid;
-    for (int k = 0; k < t->awakes; k++)
-        t->island[t->awake[k]].energy = t->island[t->awake[k]].mass = 0;
+    for (int k = 0; k < t->awakes; k++) {
+        island *i = &t->island[t->awake[k]];
+        i->energy = i->mass = 0;
+        i->momentum = (vec3){ 0, 0, 0 };
+    }
     for (int k = 0; k < t->awakes; k++) {
         int b = t->awake[k];
         const motion_basis *basis = &t->now[b].basis;
+        const motion *u = &t->velocity[b];
         if (t->touches[b] && !t->now[b].is_driven)
-            add_motion(budget_of(w, b), motion_energy(basis, &t->velocity[b]),
+            add_motion(budget_of(w, b), motion_energy(basis, u),
+                       vec3_make(u->of[0], u->of[1], u->of[2]),
                        basis->inverse_mass);
     }
 }
@@ -47,7 +53,8 @@ static void add_soft_motion(island *of, const world *w, const body *x)
         const particle *p = &w->pool.at[i];
         vec3 way = vec3_sub(p->position, p->previous);
         real square = vec3_length_squared(way) / (w->age * w->age);
-        add_motion(of, square / (2 * p->inverse_mass), p->inverse_mass);
+        add_motion(of, square / (2 * p->inverse_mass),
+                   vec3_scale(1 / w->age, way), p->inverse_mass);
     }
 }
 
@@ -108,11 +115,24 @@ void guard_begin(world *w, const solver_frame *f)
 //<
 
 //> guard-brake
-//>   If an island has more than that, all of it is slowed by the same share.
-static void slow_down(world *w, int b, real share)
+//>   If an island has more than that, all of it is slowed by the same share, as
+//>   its centre of mass sees it: what is too much came from inside, and momentum
+//>   does not.
+// An island whose centre of mass alone has more was pushed from outside: it is slowed
+// as the world sees it, and so is one whose numbers are lost: some of it was stopped.
+static void slow_down(world *w, int b, const island *i)
 {
     if (w->rigid.now[b].is_driven || !w->rigid.touches[b]) return;
-    for (int i = 0; i < MOTIONS; i++) w->rigid.velocity[b].of[i] *= share;
+    vec3 mean = vec3_scale(1 / i->mass, i->momentum);
+    real common = vec3_dot(mean, i->momentum) / 2;
+    if (i->is_lost || !(common < i->most)) {
+        mean = (vec3){ 0, 0, 0 };
+        common = 0;
+    }
+    real share = sqrt((i->most - common) / (i->energy - common));
+    real *u = w->rigid.velocity[b].of;
+    real with[MOTIONS] = { mean.x, mean.y, mean.z };
+    for (int k = 0; k < MOTIONS; k++) u[k] = with[k] + share * (u[k] - with[k]);
 }
 
 // With more than so many times the energy that is right, no body of an island
@@ -163,7 +183,7 @@ void guard_brake(world *w, int lost)
     for (int k = 0; k < w->rigid.awakes; k++) {
         int b = w->rigid.awake[k];
         const island *i = budget_of(w, b);
-        if (i->energy > i->most) slow_down(w, b, sqrt(i->most / i->energy));
+        if (i->energy > i->most) slow_down(w, b, i);
     }
 }
 //<

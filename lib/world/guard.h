@@ -13,8 +13,9 @@
 void guard_begin(world *w, const solver_frame *f);
 
 // After them, when so many have lost their numbers and were stopped: slows those
-// of an island, all by the same share, if they have more; and puts them back to
-// where the frame began, at rest, if it is far more than can be.
+// of an island, all by the same share, if they have more, and leaves it its
+// momentum, unless that alone is more; and puts them back to where the frame
+// began, at rest, if it is far more than can be.
 void guard_brake(world *w, int lost);
 
 // After the substep of rope and cloth: what has lost its numbers in it stands

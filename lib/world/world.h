@@ -181,6 +181,7 @@ typedef struct {
     real turn;          // rad, in the frame, of what turns furthest
     int  substeps;
     real energy, mass;  // J, kg, of what touches something
+    vec3 momentum;      // kg m/s, likewise
     real loads;         // J, that forces from outside would give, and the sum of
     real drives;        // the roots (J^(1/2)) of what motors and springs would
     real most;          // J, that it may have when the frame ends, see guard.h

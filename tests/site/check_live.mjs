@@ -231,6 +231,8 @@ async function checkSandbox(file) {
   check((await figure.evaluate(({ live }) => live.core.draw().place.length)) < 20, 'and then the first cloth');
   await undo.press('Enter');
   check(/nothing to take back/.test(await figure.locator('.live-foot').textContent()), 'where nothing is to be taken back, it is said');
+  const doll = await figure.evaluate(({ live }) => { live.set(3, 1); live.set(0, 4); live.tick(90); return live.core.draw().said; });
+  check(/ragdoll/.test(doll), `the doll falls in a wind, and no number is lost: ${doll}`);
   check(page.errors.length === 0, `the sandbox has no error: ${page.errors[0]}`);
   await page.close();
 }

@@ -47,7 +47,7 @@ export class Chart {
     data.push(value);
     if (data.length > FRAMES) data.shift();
   }
-  drop() { for (const data of this.data) data.pop(); }
+  drop(n) { for (const data of this.data) data.length = Math.max(0, data.length - n); }
   set(line, values) { this.data[line] = Array.from(values); }
 
   // The axis grows to hold all, and shrinks slowly.

@@ -30,7 +30,7 @@ export const button = (name, pressed, kind) => make('button', { type: 'button', 
 // --- Small buttons on the stage: pictures with a name ---
 const PICTURES = {
   Pause: 'M8 5v14M16 5v14', Play: 'M8 5l11 7-11 7z', 'Start again': 'M5 12a7 7 0 1 0 2.5-5.4M5 4v4h4',
-  'One frame': 'M6 5l9 7-9 7zM19 5v14', 'Back by a frame': 'M18 5l-9 7 9 7zM5 5v14', 'Copy an address of this': 'M10 14a4 4 0 0 0 6 0l3-3a4 4 0 0 0-6-6l-1 1M14 10a4 4 0 0 0-6 0l-3 3a4 4 0 0 0 6 6l1-1',
+  'One frame': 'M6 5l9 7-9 7zM19 5v14', 'Take back what you did last': 'M9 14l-5-5 5-5M4 9h10a5 5 0 0 1 0 10h-4', 'Back by a frame': 'M18 5l-9 7 9 7zM5 5v14', 'Copy an address of this': 'M10 14a4 4 0 0 0 6 0l3-3a4 4 0 0 0-6-6l-1 1M14 10a4 4 0 0 0-6 0l-3 3a4 4 0 0 0 6 6l1-1',
   'Make a film': 'M4 6h11v12H4zM15 10l5-3v10l-5-3', 'Save the film': 'M5 5h14v14H5z', Slow: 'M12 7v5l3 2M12 4a8 8 0 1 0 .01 0',
   'Full screen': 'M4 9V4h5M15 4h5v5M20 15v5h-5M9 20H4v-5',
 };

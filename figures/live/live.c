@@ -403,7 +403,8 @@ void page_release(int number)
 void page_tap(int number, double x, double y, double z, double px, double py, double pz)
 {
     hand_at = vec3_make(px, py, pz);
-    if (figure.tap) figure.tap(number, vec3_unit(vec3_make(x, y, z)));
+    if (number < 0) figure.ground(hand_at);
+    else if (figure.tap) figure.tap(number, vec3_unit(vec3_make(x, y, z)));
 }
 
 unsigned long long live_hash(unsigned long long h, const void *bytes, size_t n)

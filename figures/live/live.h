@@ -78,6 +78,7 @@ typedef struct {
     void (*move)(int number, vec3 to);  // a thing is dragged there (NULL: live_pull)
     void (*release)(int number);        // ... and let go
     void (*tap)(int number, vec3 along);// touched; along: unit, from the eye
+    void (*ground)(vec3 at);    // ... the floor there
 } live_figure;
 
 extern const live_figure figure;

@@ -54,8 +54,9 @@ static void print_view(void)
     for (int k = 0; k < LIVE_PANES && figure.pane[k].width > 0; k++)
         printf("%s[%g,%g,%g,%g]", k ? "," : "", figure.pane[k].left,
                figure.pane[k].bottom, figure.pane[k].width, figure.pane[k].height);
-    printf("],\"camera\":[%g,%g,%g,%g,%g,%g,%d,%g],", c->distance, c->turn, c->rise,
-           c->target.x, c->target.y, c->target.z, c->has_floor, c->floor);
+    printf("],\"ground\":%d,\"camera\":[%g,%g,%g,%g,%g,%g,%d,%g],", figure.ground != NULL,
+           c->distance, c->turn, c->rise, c->target.x, c->target.y, c->target.z,
+           c->has_floor, c->floor);
 }
 
 // A text of the code, between the quotes of JSON.

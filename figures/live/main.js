@@ -92,6 +92,7 @@ class Figure {
     });
     slow.setAttribute('aria-pressed', false);
     const all = [slow, tool('Back by a frame', () => this.back()), tool('One frame', () => { this.loop.play(false); this.tick(1); })];
+    if (!this.isSmall && !this.isFlat) all.push(tool('Take back what you did last', () => this.undo()));
     if (!this.isSmall) all.push(...this.makeShared());
     if (this.isSmall) all.unshift(tool('Pause', () => this.loop.play(!this.loop.playing)), tool('Start again', again));
     if (document.fullscreenEnabled) all.push(tool('Full screen', () => document.fullscreenElement ? document.exitFullscreen() : this.node.requestFullscreen()));
@@ -217,7 +218,15 @@ class Figure {
 
   back() {
     this.loop.play(false);
-    if (!this.core || this.stopped || !this.past.back()) return;
+    if (this.core && !this.stopped && this.past.back()) this.isEarlier();
+  }
+
+  undo() {
+    if (!this.core || this.stopped) return;
+    if (this.past.undo()) this.isEarlier(); else this.tell('there is nothing to take back, or it was too long ago');
+  }
+
+  isEarlier() {
     if (this.parted > this.frames) {
       this.parted = 0;
       delete this.node.dataset.parted;

@@ -3,6 +3,7 @@
 // of the past is an older one, and the steps from there once more.
 
 const EVERY = 60, MOST = 10;    // frames from one memory that is kept to the next; of these
+const ROOM = 256e6;             // bytes of all that are kept, but for the last
 const LONGEST = 6000;           // letters of an address
 
 const copy = core => core && new Uint8Array(core.x.memory.buffer).slice();
@@ -28,27 +29,48 @@ export class Past {
     const { frames, core, ghost } = this.figure;
     if (frames % EVERY || this.kept.at(-1)?.frame === frames) return;
     this.kept.push({ frame: frames, acts: this.acts.length, core: copy(core), ghost: copy(ghost) });
-    if (this.kept.length > MOST) this.kept.shift();
+    const bytes = () => this.kept.reduce((sum, one) => sum + one.core.length + (one.ghost?.length ?? 0), 0);
+    while (this.kept.length > MOST || (this.kept.length > 1 && bytes() > ROOM)) this.kept.shift();
   }
 
   note(name, values) { this.acts.push([this.figure.frames, name, ...values]); }
 
   // One frame less.  false: so far back nothing is known.
   back() {
-    const { figure } = this, to = figure.frames - 1;
-    while (this.kept.length && this.kept.at(-1).frame > to) this.kept.pop();
+    const to = this.figure.frames - 1;
+    return this.goTo(to, this.acts.filter(([frame]) => frame < to));
+  }
+
+  // To before what the reader did last, which a turn of a dial is not: that stays.
+  undo() {
+    const { acts } = this, isDrag = k => /^(move|release)$/.test(acts[k]?.[1]);
+    let first = acts.findLastIndex(([, name]) => name !== 'turn');
+    if (first < 0) return false;
+    while (isDrag(first) && acts[first - 1]?.[1] === 'move') first--;
+    const turns = acts.slice(first).filter(([, name]) => name === 'turn');
+    if (!this.goTo(acts[first][0], acts.slice(0, first))) return false;
+    for (const [, name, ...values] of turns) {
+      this.figure.both(name, ...values);
+      this.note(name, values);
+    }
+    return true;
+  }
+
+  // The figure as it was in a frame, of all acts after these alone.
+  goTo(to, acts) {
+    const { figure } = this;
+    while (this.kept.length && (this.kept.at(-1).frame > to || this.kept.at(-1).acts > acts.length)) this.kept.pop();
     const from = this.kept.at(-1);
     if (!from) return false;
     put(figure.core, from.core);
     put(figure.ghost, from.ghost);
-    const again = this.acts.slice(from.acts).filter(([frame]) => frame < to);
-    for (let frame = from.frame; frame < to; frame++) {
+    const again = acts.slice(from.acts);
+    for (let frame = from.frame; frame <= to; frame++) {
       for (const [at, name, ...values] of again) if (at === frame) figure.both(name, ...values);
-      figure.both('step');
+      if (frame < to) figure.both('step');
     }
-    this.acts.length = from.acts;
-    this.acts.push(...again);
-    figure.charts.forEach(chart => chart.drop());
+    this.acts = acts;
+    figure.charts.forEach(chart => chart.drop(figure.frames - to));
     figure.both('measure');
     figure.frames = to;
     return true;

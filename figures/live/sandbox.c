@@ -13,6 +13,7 @@ enum { BOX, BALL, STONE, ROD, CLOTH, ROPE };
 enum { STRIKE, PIN, TIE, CUT, TAKE };
 enum { AWAKE, TIME };                           // charts
 enum { BELT = 14, EMPTY = 16, MOST = 600, PINS = 64, ROUND = 60 };
+static const real HIGH = 2.1;                   // m, as it is drawn: from there what is new falls
 static const live_colour COLOUR[] = { LIVE_BLUE, LIVE_ORANGE, LIVE_GREEN, LIVE_PURPLE, LIVE_RED };
 
 static const example nothing = { .name = "floor", .about = "an empty floor", .has_floor = true,
@@ -90,17 +91,66 @@ static tumble_shape new_shape(int kind, double m)
     }
 }
 
+// The least box around a body, as far as it is seen.
+typedef struct { vec3 least, most; } bounds;
+
+static bounds bounds_of(tumble_body b)
+{
+    int n = tumble_body_vertices(world, b, NULL, 0);
+    tumble_vec3 *vertex = malloc((size_t)n * sizeof *vertex);
+    if (n > 0 && !vertex) abort();
+    tumble_body_vertices(world, b, vertex, n);
+    bounds box = { { HUGE_VAL, HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL } };
+    for (int i = 0; i < n; i++) {
+        vec3 v = taken(vertex[i]);
+        box.least = vec3_make(real_min(box.least.x, v.x), real_min(box.least.y, v.y), real_min(box.least.z, v.z));
+        box.most = vec3_make(real_max(box.most.x, v.x), real_max(box.most.y, v.y), real_max(box.most.z, v.z));
+    }
+    free(vertex);
+    return box;
+}
+
+// How far up a body has to go, so that all that lies in its column is below it.
+static real way_up(tumble_body b, real gap)
+{
+    bounds own = bounds_of(b);
+    real up = 0;
+    for (int k = 0; k < bodies; k++) {
+        bounds other = bounds_of(all[k]);
+        if (own.least.x < other.most.x && other.least.x < own.most.x
+            && own.least.z < other.most.z && other.least.z < own.most.z)
+            up = real_max(up, other.most.y + gap - own.least.y);
+    }
+    return up;
+}
+
+// What is new falls on all that is there, and begins further from it than a cloth here
+// is thick, which is 1.1 of its links: one that began within another would be thrown out.
+static void put_in(vec3 at)
+{
+    if (!world || bodies == MOST) return;
+    tumble_shape s = new_shape(live_choice(NEW), 1 / view_scale());
+    tumble_body b = tumble_body_add(world, s, tumble_body_at(at.x, at.y, at.z));
+    if (!tumble_body_exists(world, b)) return;
+    real up = way_up(b, 0.12 / view_scale());
+    if (up > 0) {
+        tumble_body_remove(world, b);
+        b = tumble_body_add(world, s, tumble_body_at(at.x, at.y + up, at.z));
+    }
+    thrown++;
+    if (tumble_body_exists(world, b)) all[bodies++] = b;
+}
+
 static void press(int button)
 {
     (void)button;
-    if (!world || bodies == MOST) return;
-    vec3 at = view_back(vec3_make(0.17 * (thrown * 3 % 7 - 3), 2.1, 0.15 * (thrown * 2 % 5 - 2)));
-    tumble_body b = tumble_body_add(world,
-                                    new_shape(live_choice(NEW),
-                                              1 / view_scale()),
-                                    tumble_body_at(at.x, at.y, at.z));
-    thrown++;
-    if (tumble_body_exists(world, b)) all[bodies++] = b;
+    put_in(view_back(vec3_make(0.17 * (thrown * 3 % 7 - 3), HIGH, 0.15 * (thrown * 2 % 5 - 2))));
+}
+
+// A touch of the floor: one more falls there.
+static void ground(vec3 at)
+{
+    put_in(view_back(vec3_make(at.x, HIGH, at.z)));
 }
 
 // --- Hands ------------------------------------------------------------------------------
@@ -352,5 +402,5 @@ const live_figure figure = {
         [TIME] = { "time of a frame", "ms", { NULL }, 0, 1, false, true, NULL },
     },
     .begin = begin, .step = step, .measure = measure, .draw = draw, .hash = hash,
-    .turn = turn, .press = press, .tap = tap,
+    .turn = turn, .press = press, .tap = tap, .ground = ground,
 };

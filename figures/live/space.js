@@ -150,7 +150,7 @@ export class Space {
   // core is made later: it is set when it is there.
   constructor(figure, stage, panel) {
     const [distance, turn, rise, x, y, z, hasFloor, low] = panel.camera;
-    Object.assign(this, { figure, stage, distance, turn, rise, target: new THREE.Vector3(x, y, z), hasFloor, low, zoom: 1, fingers: new Map() });
+    Object.assign(this, { figure, stage, distance, turn, rise, target: new THREE.Vector3(x, y, z), hasFloor, low, isTapped: panel.ground, zoom: 1, fingers: new Map() });
     this.canvas = make('canvas', { tabindex: 0, role: 'img', 'aria-label': panel.says + '. Arrow keys turn the view, + and - change its size.' });
     this.renderer = new THREE.WebGLRenderer({ canvas: this.canvas, antialias: true });
     this.renderer.shadowMap.enabled = true;
@@ -306,9 +306,15 @@ export class Space {
   let(event) {
     const held = this.held;
     this.held = null;
-    if (!held || held.number < 0) return;
+    if (!held) return;
+    if (held.number < 0) { if (event && held.gone <= STILL && this.isTapped) this.tapFloor(event); return; }
     if (held.gone > STILL) this.acted('release', held.number);
     else if (event) this.acted('tap', held.number, ...this.ray(event).direction, ...held.hit);
+  }
+
+  tapFloor(event) {
+    const ray = this.ray(event), at = ray.intersectPlane(new THREE.Plane(UP, -this.low), new THREE.Vector3());
+    if (at && at.distanceTo(this.target) < this.distance) this.acted('tap', -1, ...ray.direction, ...at);
   }
 
   listen() {

@@ -201,6 +201,42 @@ async function checkAddress(file, name, dial) {
   await other.close();
 }
 
+// In the sandbox a touch of the floor puts one more there, above what is there already;
+// and what was done last is taken back to the bit, a drag as a whole, without the dials.
+async function checkSandbox(file) {
+  const page = await open(file, { reducedMotion: 'reduce' });
+  const figure = page.locator('[data-live="sandbox"]');
+  await figure.evaluate(node => node.scrollIntoView({ block: 'center' }));
+  await settled(page, 'sandbox');
+  const state = () => figure.evaluate(({ live }) => [live.frames, live.core.hash(), +live.core.draw().said.match(/([0-9]+) bod/)[1]]);
+  await figure.evaluate(({ live }) => { live.set(0, 16); live.set(1, 4); live.tick(2); });
+  const box = await figure.locator('.live-stage canvas').boundingBox(), at = [box.x + box.width / 2, box.y + 0.8 * box.height];
+  await page.mouse.click(...at);
+  await figure.evaluate(({ live }) => live.tick(1));
+  const one = await state();
+  await page.mouse.click(...at);
+  await figure.evaluate(({ live }) => live.tick(1));
+  check((await state())[2] === 2, 'two touches of the floor put two cloths in');
+  const fallen = await figure.evaluate(({ live }) => { live.tick(20); return live.core.draw().place.reduce((most, y, k) => k % 3 === 1 ? Math.max(most, y) : most, 0); });
+  check(fallen < 2.2 && fallen > 0, `two cloths at one place fall, one above the other: the highest corner is at ${fallen.toFixed(2)} m`);
+  await figure.evaluate(({ live }) => live.turn(3, 5));
+  const undo = figure.getByRole('button', { name: 'Take back what you did last' });
+  await undo.press('Enter');
+  check((await state()).slice(0, 2).join() === one.slice(0, 2).join(), `the second cloth is taken back: ${await state()} is ${one}`);
+  check(await figure.evaluate(({ live }) => live.past.acts.at(-1).slice(1).join()) === 'turn,3,5', 'and the wind stays');
+  await figure.evaluate(({ live }) => { for (const y of [1, 1.2, 1.4]) { live.act('move', 0, 0, y, 0); live.tick(1); } live.act('release', 0); live.tick(1); });
+  await undo.press('Enter');
+  check(await figure.evaluate(({ live }) => live.past.acts.every(([, name]) => name !== 'move')), 'a drag is taken back as a whole');
+  await undo.press('Enter');
+  check((await figure.evaluate(({ live }) => live.core.draw().place.length)) < 20, 'and then the first cloth');
+  await undo.press('Enter');
+  check(/nothing to take back/.test(await figure.locator('.live-foot').textContent()), 'where nothing is to be taken back, it is said');
+  const doll = await figure.evaluate(({ live }) => { live.set(3, 1); live.set(0, 4); live.tick(90); return live.core.draw().said; });
+  check(/ragdoll/.test(doll), `the doll falls in a wind, and no number is lost: ${doll}`);
+  check(page.errors.length === 0, `the sandbox has no error: ${page.errors[0]}`);
+  await page.close();
+}
+
 // A film is made from one press to the next.
 async function checkFilm(file, name) {
   const page = await open(file);
@@ -371,6 +407,7 @@ if (!some.length) await together(TOGETHER, [
   () => checkDrag(`${site}/01-verlet.html`),
   () => checkAddress(`${site}/18-world.html`, 'energy', [2, 0.8]),
   () => checkAddress(`${site}/19-library.html`, 'sandbox', [2, 4]),
+  () => checkSandbox(`${site}/19-library.html`),
   () => checkFilm(`${site}/19-library.html`, 'sandbox'),
   () => checkRace(`${site}/21-speed.html`),
 ], one => one());

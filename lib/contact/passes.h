@@ -208,7 +208,7 @@ static inline bool solver_is_kept(const active_contact *x,
 
 typedef struct {
     int  first, count;  // blocks
-    int  contacts;
+    int  begin, contacts;       // in the solver's order
     int  sides;
     bool is_crowded;    // more contacts met in one body than there are colours:
                         // these share bodies, one in a block
@@ -236,6 +236,16 @@ typedef struct {
     bool strikes;                       // some of these strike
     real h;                             // s, the substeps that blocks are for
 } contact_solver;
+
+// The first contact in s->order of block `number`, and how many it has.
+static inline int solver_lanes(const contact_solver *s, int number, int *first)
+{
+    const block_color *c = s->color;
+    while (number >= c->first + c->count) c++;
+    int each = c->is_crowded ? 1 : REAL4, before = each * (number - c->first);
+    *first = c->begin + before;
+    return int_min(each, c->contacts - before);
+}
 //<
 
 //> passes-declare

@@ -146,11 +146,11 @@ static void list_colors(contact_solver *s, const int end[BINS])
         int n = end[(c + 1) * KINDS - 1] - first;
         bool is_crowded = c % COLORS == COLORS - 1;
         int blocks = is_crowded ? n : (n + REAL4 - 1) / REAL4;
-        first += n;
         if (n == 0) continue;
-        s->color[s->colors++] = (block_color){ s->blocks, blocks, n, c / COLORS,
-                                               is_crowded };
+        s->color[s->colors++] = (block_color){ s->blocks, blocks, first, n,
+                                               c / COLORS, is_crowded };
         s->blocks += blocks;
+        first += n;
     }
 }
 //<
@@ -203,19 +203,15 @@ static void forget_blocks(contact_solver *s)
 // A block has as many points as the contact in it that has most.
 static void count_points(contact_solver *s)
 {
-    int at = 0, sum = 0, *start = s->start;
-    for (const block_color *c = s->color; c < s->color + s->colors; c++) {
-        int end = at + c->contacts, each = c->is_crowded ? 1 : REAL4;
-        for (; at < end; at += each) {
-            int most = 0, last = int_min(at + each, end);
-            for (int k = at; k < last; k++)
-                most = int_max(most, s->active[s->order[k]].count);
-            *start++ = sum;
-            sum += most;
-        }
-        at = end;
+    int sum = 0;
+    for (int n = 0; n < s->blocks; n++) {
+        int most = 0, first, lanes = solver_lanes(s, n, &first);
+        for (int k = first; k < first + lanes; k++)
+            most = int_max(most, s->active[s->order[k]].count);
+        s->start[n] = sum;
+        sum += most;
     }
-    *start = sum;
+    s->start[s->blocks] = sum;
 }
 
 // Room for the blocks, and for their points.
@@ -419,6 +415,14 @@ typedef struct {
     contact *const *table;
 } storing;
 
+static void store_block(contact_solver *s, const block *x, contact *const *table)
+{
+    for (int l = 0; l < REAL4; l++) {
+        int k = x->contact[l];
+        if (k >= 0) store_lane(x, l, &s->active[k], table[k]);
+    }
+}
+
 static void clear_chunk(void *data, int item)
 {
     const storing *q = data;
@@ -436,13 +440,10 @@ static void store_chunk(void *data, int item)
     const storing *q = data;
     int end = task_end(item, q->s->blocks);
     for (int n = item * TASK_CHUNK; n < end; n++) {
-        const block *x = &q->s->block[n];
         const block *next = &q->s->block[int_min(n + AHEAD / REAL4, end - 1)];
-        for (int l = 0; l < REAL4; l++) {
-            int k = x->contact[l], then = next->contact[l];
-            if (then >= 0) contact_expect(q->table[then]);
-            if (k >= 0) store_lane(x, l, &q->s->active[k], q->table[k]);
-        }
+        for (int l = 0; l < REAL4; l++)
+            if (next->contact[l] >= 0) contact_expect(q->table[next->contact[l]]);
+        store_block(q->s, &q->s->block[n], q->table);
     }
 }
 
@@ -477,11 +478,7 @@ static void give_blocks(contact_solver *s, contact *const *table, bool are_new)
 {
     for (int n = 0; n < s->blocks; n++) {
         const block *x = &s->block[n];
-        if (has_new(s, x) != are_new) continue;
-        for (int l = 0; l < REAL4; l++) {
-            int k = x->contact[l];
-            if (k >= 0) store_lane(x, l, &s->active[k], table[k]);
-        }
+        if (has_new(s, x) == are_new) store_block(s, x, table);
     }
 }
 

@@ -592,11 +592,6 @@ static void query(contact_cache *c, const cache_frame *f, cache_pair *p)
 //>   that it has seen, and each body how far it has gone since. The gap can
 //>   have shrunk by no more than the sum of both: one subtraction, and in a
 //>   falling heap it spares most contacts.
-static real paths_of(const contact_cache *c, int a, int b)
-{
-    return c->placing[a].path + (b < 0 ? 0 : c->placing[b].path);
-}
-
 // A contact whose gap cannot close in this frame is left out: both bodies
 // together have not gone as far yet.
 static void activate(const contact_cache *c, const cache_frame *f,
@@ -605,7 +600,7 @@ static void activate(const contact_cache *c, const cache_frame *f,
     p->is_active = false;
     if (p->count == 0 || p->entry < 0) return;
     if (!f->moves[a] && (b < 0 || !f->moves[b])) return;
-    real paths = paths_of(c, a, b);
+    real paths = c->placing[a].path + (b < 0 ? 0 : c->placing[b].path);
     if (p->near - paths > reach_of(f, a, b)) return;
     p->near = paths;
     p->is_active = true;
@@ -641,19 +636,9 @@ static void gather(contact_cache *c, const cache_frame *f, cache_pair *p)
     }
     c->fast += p->seen[0] < 0 && now->b >= 0
              && flies(f, now->piece_a, now->piece_b);
+    c->reach[c->actives] = reach_of(f, now->piece_a, now->piece_b);
     c->active[c->actives] = now;
     c->of[c->actives++] = p;
-}
-
-static void reach_chunk(void *data, int item)
-{
-    const cache_work *u = data;
-    contact_cache *c = u->c;
-    int end = task_end(item, c->actives);
-    for (int k = item * TASK_CHUNK; k < end; k++) {
-        const contact *x = c->active[k];
-        c->reach[k] = reach_of(u->f, x->piece_a, x->piece_b);
-    }
 }
 
 static bool grow_active(contact_cache *c, int need)
@@ -672,8 +657,6 @@ static void gather_active(contact_cache *c, const cache_frame *f)
     }
     for (int k = 0; k < c->pairs.count; k++) gather(c, f, &c->pairs.pair[k]);
     for (int k = 0; k < c->walls.count; k++) gather(c, f, &c->walls.pair[k]);
-    cache_work u = { c, f };
-    tasks_run(f->run, reach_chunk, &u, task_chunks(c->actives));
 }
 
 // Within a frame what was to meet on one side of a body meets on no other: if it is

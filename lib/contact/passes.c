@@ -488,16 +488,10 @@ static void fill_chunk(void *data, int item)
     const preparation *p = data;
     int end = task_last(item, p->s->blocks, FEW_BLOCKS);
     for (int k = item * FEW_BLOCKS; k < end; k++) {
-        if (k < p->known && block_is_good(p, k)) keep_block(p, k);
+        if (k < p->known && (p->is_same || block_is_good(p, k)))
+            keep_block(p, k);
         else fill_block(data, k);
     }
-}
-
-static void keep_chunk(void *data, int item)
-{
-    const preparation *p = data;
-    int end = task_end(item, p->s->blocks);
-    for (int k = item * TASK_CHUNK; k < end; k++) keep_block(p, k);
 }
 //<
 
@@ -877,7 +871,7 @@ PASS(relax_chunk, relax(x, q, true, false), relax(x, q, false, false))
 PASS(relax_to_impacts_chunk, relax(x, q, true, true), relax(x, q, false, true))
 
 const solver_passes PASSES = {
-    .fill = fill_chunk, .refill = fill_block, .keep = keep_chunk, .renew = renew_chunk,
+    .fill = fill_chunk, .refill = fill_block, .renew = renew_chunk,
     .see = see_chunk, .warm = warm_chunk,
     .push = { push_chunk, push_to_impacts_chunk },
     .relax = { relax_chunk, relax_to_impacts_chunk }

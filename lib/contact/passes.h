@@ -258,7 +258,8 @@ typedef struct {
     const solver_frame *f;
     const contact *const *table;
     const real *reach;
-    int known;          // so many blocks are those of the frame before
+    int known;          // so many blocks are those of the frame before,
+    bool is_same;       // and all their contacts are
 } preparation;
 
 // What a pass over the blocks is given.
@@ -274,11 +275,11 @@ typedef struct {
     const solver_frame *f;
 } solver_pass;
 
-// Each does item `item` of its work: FEW_BLOCKS blocks, but `keep` TASK_CHUNK.
+// Each does item `item` of its work: FEW_BLOCKS blocks.
 // `push` and `relax` of contacts that have no impacts; and that may have some.
 typedef void solver_work(void *data, int item);
 typedef struct {
-    solver_work *fill, *keep, *renew;               // data: a preparation
+    solver_work *fill, *renew;                      // data: a preparation
     solver_work *refill;                            // item: one block
     solver_work *see, *warm, *push[2], *relax[2];   // data: a solver_pass
 } solver_passes;

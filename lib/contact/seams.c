@@ -89,16 +89,8 @@ static bool stands_out(const slider *s, int b, vec3 n, real height)
 {
     if (b < 0) return vec3_dot(s->f->plane[-1 - b].normal, n) < ALIKE;
     real center = vec3_dot(s->f->now[b].frame.center, n);
-    if (center > height) return true;
     return center + s->f->now[b].radius > height
         && height_of(s, b, n) > height;
-}
-
-static bool is_in_ball(const slider *s, int b, vec3 p, real flush)
-{
-    real far = s->f->now[b].radius + flush;
-    vec3 d = vec3_sub(p, s->f->now[b].frame.center);
-    return vec3_length_squared(d) <= far * far;
 }
 
 // Is p in body or plane b, or outside by no more than flush?  (A round body
@@ -110,7 +102,10 @@ static bool holds_point(const slider *s, int b, vec3 p, real flush)
         return vec3_dot(w.normal, p) <= w.offset + flush;
     }
     collider x = cache_collider(s->c, s->f, b);
-    if (x.shape->round > 0 || !is_in_ball(s, b, p, flush)) return false;
+    real far = s->f->now[b].radius + flush;
+    vec3 d = vec3_sub(p, s->f->now[b].frame.center);
+    if (x.shape->round > 0 || !(vec3_length_squared(d) <= far * far))
+        return false;
     for (int k = 0; k < x.shape->mesh.faces; k++) {
         vec3 m = face_area(x.shape, x.at, k);
         real over = vec3_dot(m, vec3_sub(p, x.at[x.shape->face[3 * k]]));
@@ -169,8 +164,6 @@ static bool is_covered(const slider *s, const side *b, int c)
 {
     real flush = flush_of(s, b->b);
     if (!stay_together(s, b->b, c)) return false;
-    for (int k = 0; k < b->points && c >= 0; k++)
-        if (!is_in_ball(s, c, b->at[k], flush)) return false;
     if (!stands_out(s, c, b->n, b->height + flush)) return false;
     for (int k = 0; k < b->points; k++)
         if (!holds_point(s, c, b->at[k], flush)) return false;

@@ -228,7 +228,6 @@ static bool make_block_room(contact_solver *s)
 static bool make_blocks(contact_solver *s, preparation *p)
 {
     int end[BINS];
-    p->known = s->blocks;
     for (int k = s->first; k < s->end; k++) clear_colors(s, &s->active[k]);
     for (int k = s->first; k < s->end; k++)
         if (s->active[k].count > 0) choose_color(s, &s->active[k]);
@@ -237,8 +236,6 @@ static bool make_blocks(contact_solver *s, preparation *p)
     const block *were = s->block;
     if (!make_block_room(s)) return false;
     if (s->block != were || !has_blocks(s, p->f)) p->known = 0;
-    tasks_run(p->f->run, passes_best()->fill, p,
-              task_items(s->blocks, FEW_BLOCKS));
     // Blocks of some of the contacts are not those of the next frame.
     s->h = s->end - s->first < s->contacts ? 0 : p->f->h;
     return true;
@@ -271,14 +268,15 @@ bool solver_prepare(contact_solver *s, const solver_frame *f,
     s->strikes = false;
     for (int k = s->first; k < s->end && !s->strikes; k++)
         s->strikes = s->active[k].count > 0 && solver_strikes(f, table[k]);
-    preparation p = { .s = s, .f = f, .table = table };
-    if (may_keep_all(s, f)) {
-        tasks_run(f->run, passes_best()->keep, &p, task_chunks(s->blocks));
-        return true;
+    preparation p = { .s = s, .f = f, .table = table, .known = s->blocks };
+    p.is_same = may_keep_all(s, f);
+    if (!p.is_same && !make_blocks(s, &p)) {
+        forget_blocks(s);
+        return false;
     }
-    bool done = make_blocks(s, &p);
-    if (!done) forget_blocks(s);
-    return done;
+    tasks_run(f->run, passes_best()->fill, &p,
+              task_items(s->blocks, FEW_BLOCKS));
+    return true;
 }
 //<
 

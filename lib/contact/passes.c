@@ -97,9 +97,9 @@ static void transpose(block *k, const lane_source q[REAL4])
     LANES3(k->normal, q, .normal);
     LANES3(k->across[0], q, .across);
     LANES3(k->across[1], q, .aside);
-    k->across_impulse[0] = LANES(q, .across_impulse);
-    k->across_impulse[1] = LANES(q, .aside_impulse);
-    k->twist_impulse = LANES(q, .twist);
+    k->rub[0] = LANES(q, .across_impulse);
+    k->rub[1] = LANES(q, .aside_impulse);
+    k->rub[TWIST] = LANES(q, .twist);
     k->per_near = LANES(q, .per_near);
     k->round_a = LANES(q, .round_a);
     k->round_b = LANES(q, .round_b);
@@ -367,12 +367,12 @@ ALWAYS_INLINE void make_friction(block *k, raw_block *raw, real4 inverse,
 {
     real4 own[2], twist, *mass = k->across_mass;
     for (int i = 0; i < 2; i++)
-        own[i] = real4_add(inverse, make_rows(k->across_a[i], k->across_b[i],
+        own[i] = real4_add(inverse, make_rows(k->rub_a[i], k->rub_b[i],
                                               raw, center_a, center_b,
                                               k->across[i], two));
-    real4 cross = real4_dot(k->across_a[0], k->across_a[1]);
-    if (two) cross = real4_add(cross, real4_dot(k->across_b[0],
-                                                k->across_b[1]));
+    real4 cross = real4_dot(k->rub_a[0], k->rub_a[1]);
+    if (two) cross = real4_add(cross, real4_dot(k->rub_b[0],
+                                                k->rub_b[1]));
     real4 volume = real4_sub(real4_mul(own[0], own[1]),
                              real4_mul(cross, cross));
     real4 per_volume = real4_div(real4_all(1), volume);
@@ -380,8 +380,8 @@ ALWAYS_INLINE void make_friction(block *k, raw_block *raw, real4 inverse,
     mass[1] = real4_sub(real4_all(0), real4_mul(cross, per_volume));
     mass[2] = real4_mul(own[0], per_volume);
     if (k->points == 1) return;         // one point alone does not twist
-    twist = make_row(k->twist_a, raw->a.turn, k->normal);
-    if (two) twist = real4_add(twist, make_row(k->twist_b, raw->b.turn,
+    twist = make_row(k->rub_a[TWIST], raw->a.turn, k->normal);
+    if (two) twist = real4_add(twist, make_row(k->rub_b[TWIST], raw->b.turn,
                                                k->normal));
     twist = real4_if_positive(twist, twist, real4_all(1));
     k->twist_mass = real4_div(real4_all(1), twist);
@@ -752,20 +752,20 @@ ALWAYS_INLINE void push(block *k, const solver_pass *q, bool two,
 // twist at most that with the lever of each point.
 ALWAYS_INLINE void twist_block(block *k, real4 most, sides4 *u, bool two)
 {
-    real4 speed = part_turns(k->twist_a, k->twist_b, u, two);
-    real4 twist = real4_sub(k->twist_impulse,
+    real4 speed = part_turns(k->rub_a[TWIST], k->rub_b[TWIST], u, two);
+    real4 twist = real4_sub(k->rub[TWIST],
                             real4_mul(k->twist_mass, speed));
     twist = real4_max(real4_min(twist, most),
                       real4_sub(real4_all(0), most));
-    real4 change = real4_sub(twist, k->twist_impulse);
-    k->twist_impulse = twist;
-    push_turns(k->twist_a, k->twist_b, change, u, two);
+    real4 change = real4_sub(twist, k->rub[TWIST]);
+    k->rub[TWIST] = twist;
+    push_turns(k->rub_a[TWIST], k->rub_b[TWIST], change, u, two);
 }
 
 ALWAYS_INLINE real4 slide(const block *k, int i, const sides4 *u, bool two)
 {
     return real4_add(part_centers(k->across[i], u, two),
-                     part_turns(k->across_a[i], k->across_b[i], u, two));
+                     part_turns(k->rub_a[i], k->rub_b[i], u, two));
 }
 
 ALWAYS_INLINE void brake_block(block *k, real4 most, sides4 *u, bool two)
@@ -773,19 +773,19 @@ ALWAYS_INLINE void brake_block(block *k, real4 most, sides4 *u, bool two)
     const real4 *mass = k->across_mass, one = real4_all(1);
     const real4 least = real4_all(1e-300);      // no length is 0 below
     real4 x = slide(k, 0, u, two), y = slide(k, 1, u, two), impulse[2];
-    impulse[0] = real4_sub(k->across_impulse[0],
+    impulse[0] = real4_sub(k->rub[0],
                            real4_mad(mass[0], x, real4_mul(mass[1], y)));
-    impulse[1] = real4_sub(k->across_impulse[1],
+    impulse[1] = real4_sub(k->rub[1],
                            real4_mad(mass[1], x, real4_mul(mass[2], y)));
     real4 length = real4_sqrt(real4_mad(impulse[0], impulse[0],
                                         real4_mul(impulse[1], impulse[1])));
     real4 share = real4_min(real4_div(most, real4_max(length, least)), one);
     for (int i = 0; i < 2; i++) {
         impulse[i] = real4_mul(share, impulse[i]);
-        real4 change = real4_sub(impulse[i], k->across_impulse[i]);
-        k->across_impulse[i] = impulse[i];
+        real4 change = real4_sub(impulse[i], k->rub[i]);
+        k->rub[i] = impulse[i];
         push_centers(k, k->across[i], change, u, two);
-        push_turns(k->across_a[i], k->across_b[i], change, u, two);
+        push_turns(k->rub_a[i], k->rub_b[i], change, u, two);
     }
 }
 //<
@@ -837,13 +837,10 @@ ALWAYS_INLINE void warm_block(block *k, const solver_pass *q, bool two)
         push_turns(p->turn_a, p->turn_b, p->impulse, &u, two);
     }
     push_centers(k, k->normal, sum, &u, two);
-    for (int i = 0; i < 2; i++) {
-        push_centers(k, k->across[i], k->across_impulse[i], &u, two);
-        push_turns(k->across_a[i], k->across_b[i], k->across_impulse[i], &u,
-                   two);
+    for (int i = 0; i < (k->points > 1 ? RUBS : TWIST); i++) {
+        if (i < TWIST) push_centers(k, k->across[i], k->rub[i], &u, two);
+        push_turns(k->rub_a[i], k->rub_b[i], k->rub[i], &u, two);
     }
-    if (k->points > 1)
-        push_turns(k->twist_a, k->twist_b, k->twist_impulse, &u, two);
     give_sides(k, q->velocity, &u, two);
 }
 //<

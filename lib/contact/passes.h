@@ -121,15 +121,17 @@ typedef struct {
     real4 lever;        // m, from the point where friction acts
 } block_point;
 
+// Friction acts along two directions across the normal, and as a twist about it.
+enum { TWIST = 2, RUBS };
+
 typedef struct {
     real4 normal[3];
     real4 across[2][3];                 // two unit vectors across it
     real4 inverse_a, inverse_b;         // 1/kg
-    real4 across_a[2][TURNS], across_b[2][TURNS];   // rows of friction
-    real4 twist_a[TURNS], twist_b[TURNS];
+    real4 rub_a[RUBS][TURNS], rub_b[RUBS][TURNS];   // rows of friction
     real4 across_mass[3];               // kg: inverse of the 2 x 2 matrix K
     real4 twist_mass;                   // kg m^2
-    real4 across_impulse[2], twist_impulse;
+    real4 rub[RUBS];                    // N s, N m s, its impulses
     real4 friction;
     real4 strikes;                      // 1: see solver_strikes; 0: it does not
     int   a[REAL4], b[REAL4];           // bodies; lanes left over: the spare
@@ -144,8 +146,7 @@ typedef struct {
     bool  is_round;                     // some are
     real4 round_a, round_b;             // m, see contact
     real4 per_near;                     // 1/m, of a gap that is all but closed
-    real4 began[3];                     // N s, N m s, friction's impulses before
-                                        // this substep
+    real4 began[RUBS];                  // rub before this substep
     block_point *point;                 // [points] of the solver's
     block_place *place;                 // [points]
 } block;

@@ -356,8 +356,7 @@ void solver_mark(contact_solver *s)
         block *k = &s->block[n];
         for (int j = 0; j < k->points; j++)
             k->place[j].began = k->point[j].impulse;
-        for (int i = 0; i < 2; i++) k->began[i] = k->across_impulse[i];
-        k->began[2] = k->twist_impulse;
+        for (int i = 0; i < RUBS; i++) k->began[i] = k->rub[i];
     }
 }
 
@@ -367,8 +366,7 @@ void solver_rewind(contact_solver *s)
         block *k = &s->block[n];
         for (int j = 0; j < k->points; j++)
             k->point[j].impulse = k->place[j].began;
-        for (int i = 0; i < 2; i++) k->across_impulse[i] = k->began[i];
-        k->twist_impulse = k->began[2];
+        for (int i = 0; i < RUBS; i++) k->rub[i] = k->began[i];
         k->rubs = true;
     }
 }
@@ -380,9 +378,7 @@ void solver_scale(contact_solver *s, real times)
         block *k = &s->block[n];
         for (int j = 0; j < k->points; j++)
             k->point[j].impulse = real4_mul(by, k->point[j].impulse);
-        for (int i = 0; i < 2; i++)
-            k->across_impulse[i] = real4_mul(by, k->across_impulse[i]);
-        k->twist_impulse = real4_mul(by, k->twist_impulse);
+        for (int i = 0; i < RUBS; i++) k->rub[i] = real4_mul(by, k->rub[i]);
     }
 }
 //<
@@ -401,10 +397,10 @@ static void store_lane(const block *k, int l, active_contact *x, contact *c)
         vec3 t = { real4_get(&k->across[i][0], l),
                    real4_get(&k->across[i][1], l),
                    real4_get(&k->across[i][2], l) };
-        real impulse = sign * real4_get(&k->across_impulse[i], l);
+        real impulse = sign * real4_get(&k->rub[i], l);
         c->friction = vec3_add_scaled(c->friction, impulse, t);
     }
-    c->twist = real4_get(&k->twist_impulse, l);
+    c->twist = real4_get(&k->rub[TWIST], l);
     x->load = load;
 }
 

@@ -174,7 +174,6 @@ typedef struct {
     bool is_new;        // it, or one of its points, was not in the last frame
     bool is_deep;       // overlaps by more than a tenth of the smaller radius
     signed char point[CONTACT_POINTS];  // which of the contact's
-    real gap[CONTACT_POINTS];           // m
     real least;                         // m, of all points
     real load;          // N s, along the normal, when last solved
     int  above;         // the body that lies on the other, if they touch, and
@@ -233,7 +232,6 @@ typedef struct {
     int  colors;
     unsigned long long (*taken)[SIDES]; // [bodies] colours of each
     int  room;                          // for so many there is room
-    int  touching;                      // contacts that may touch in this frame
     bool strikes;                       // some of these strike
     real h;                             // s, the substeps that blocks are for
 } contact_solver;

@@ -65,8 +65,7 @@ static void activate(active_contact *x, const contact *c, const solver_frame *f,
     for (int k = 0; k < c->count; k++) {
         x->least = real_min(gap[k], x->least);
         if (!(gap[k] < reach)) continue;
-        x->point[x->count] = (signed char)k;
-        x->gap[x->count++] = gap[k];
+        x->point[x->count++] = (signed char)k;
     }
     real radius = active_radius(x, f);
     find_loads(x, c, f, radius);
@@ -135,7 +134,6 @@ static void sort_contacts(contact_solver *s, int end[BINS])
     for (int k = s->first; k < s->end; k++)
         if (s->active[k].count > 0) s->order[at[bin_of(&s->active[k])]++] = k;
     for (int bin = 0; bin < BINS; bin++) end[bin] = at[bin];
-    s->touching = sum;
 }
 
 static void list_colors(contact_solver *s, const int end[BINS])
@@ -196,7 +194,7 @@ static bool make_room(contact_solver *s, int n)
 
 static void forget_blocks(contact_solver *s)
 {
-    s->contacts = s->blocks = s->colors = s->touching = 0;
+    s->contacts = s->blocks = s->colors = 0;
     s->first = s->end = 0;
 }
 

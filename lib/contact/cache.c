@@ -15,14 +15,9 @@ static void make_entries(contact_cache *c, const cache_frame *f);
 static void query_chunk(void *data, int item);
 static void gather_active(contact_cache *c, const cache_frame *f);
 
-typedef struct {
-    contact_cache *c;
-    const cache_frame *f;
-} update;
-
 void cache_update(contact_cache *c, const cache_frame *f)
 {
-    update u = { c, f };
+    cache_work u = { c, f };
     c->lost = 0;
     c->queries = 0;
     // (Memory for them may have been refused in the last frame.)
@@ -57,15 +52,12 @@ static int compare(const int a[2], const int b[2])
 
 static bool grow_spare(cache_list *l, int need)
 {
-    int room = l->spare_capacity;
-    return TABLE_RENEW(l->spare, room, need)
-        && TABLE_RENEW(l->spare_key, l->spare_capacity, need);
+    return TABLE_RENEW(l->spare, l->spare_capacity, need);
 }
 
 static void swap_spare(cache_list *l, int count)
 {
-    *l = (cache_list){ l->spare, l->spare_key, count, l->spare_capacity,
-                       l->pair, l->key, l->capacity };
+    *l = (cache_list){ l->spare, count, l->spare_capacity, l->pair, l->capacity };
 }
 
 // Both lists are sorted: one walk along them hands each pair what was kept of
@@ -77,29 +69,22 @@ static void follow_list(contact_cache *c, cache_list *l, int (*list)[2],
     c->lost += count - n;
     for (int k = 0; k < n; k++) {
         const int *now = list[k];
-        while (old < l->count && compare(l->key[old], now) < 0)
+        while (old < l->count && compare(l->pair[old].key, now) < 0)
             release(c, &l->pair[old++]);
-        bool is_known = old < l->count && compare(l->key[old], now) == 0;
+        bool is_known = old < l->count && compare(l->pair[old].key, now) == 0;
         l->spare[k] = is_known ? l->pair[old++]
-                    : (cache_pair){ .entry = -1, .seen = { -1, -1 } };
-        l->spare_key[k][0] = now[0];
-        l->spare_key[k][1] = now[1];
+                    : (cache_pair){ .key = { now[0], now[1] }, .entry = -1,
+                                    .seen = { -1, -1 } };
     }
     while (old < l->count) release(c, &l->pair[old++]);
     swap_spare(l, n);
-}
-
-static void set_key(int to[2], const int from[2])
-{
-    to[0] = from[0];
-    to[1] = from[1];
 }
 
 static bool is_of_other(const cache_list *l, int k, const cache_list *other,
                         int j)
 {
     return k == l->count || (j < other->count
-                             && compare(other->key[j], l->key[k]) < 0);
+                             && compare(other->pair[j].key, l->pair[k].key) < 0);
 }
 
 const cache_pair *cache_next(const cache_list *l, int *k,
@@ -121,27 +106,24 @@ static void take_back(contact_cache *c, cache_list *l, cache_list *still)
         still->count = 0;
         return;
     }
-    for (int k = 0, i = 0, j = 0; k < all; k++) {
-        bool is_still = is_of_other(l, i, still, j);
-        set_key(l->spare_key[k], is_still ? still->key[j] : l->key[i]);
+    for (int k = 0, i = 0, j = 0; k < all; k++)
         l->spare[k] = *cache_next(l, &i, still, &j);
-    }
     swap_spare(l, all);
     still->count = 0;
 }
 
 // Of a wall's key only the first is a body.
-static bool is_settled(const cache_list *l, int k, const pair_list *list,
-                       int bodies)
+static bool is_settled(const cache_pair *p, const pair_list *list, int bodies)
 {
-    const int both[2] = { l->key[k][0], l->key[k][bodies - 1] };
+    const int both[2] = { p->key[0], p->key[bodies - 1] };
     return pair_is_settled(list, both);
 }
 
 static int count_settled(const cache_list *l, const pair_list *list, int bodies)
 {
     int n = 0;
-    for (int k = 0; k < l->count; k++) n += is_settled(l, k, list, bodies);
+    for (int k = 0; k < l->count; k++)
+        n += is_settled(&l->pair[k], list, bodies);
     return n;
 }
 
@@ -156,10 +138,10 @@ static void put_aside(contact_cache *c, cache_list *l, cache_list *still,
     }
     aside = 0;
     for (int k = 0; k < l->count; k++) {
-        bool is_still = is_settled(l, k, list, bodies);
-        l->pair[k].is_active &= !is_still;
-        set_key(is_still ? still->spare_key[aside] : l->key[left], l->key[k]);
-        *(is_still ? &still->spare[aside++] : &l->pair[left++]) = l->pair[k];
+        cache_pair *p = &l->pair[k];
+        bool is_still = is_settled(p, list, bodies);
+        p->is_active &= !is_still;
+        *(is_still ? &still->spare[aside++] : &l->pair[left++]) = *p;
     }
     l->count = left;
     swap_spare(still, aside);
@@ -222,6 +204,12 @@ static real lasting_margin(const contact_cache *c, const cache_frame *f, int a,
     return lasts ? reach + slack_of(c, f, a, b) : -1;
 }
 
+// Of which placing of body b is an answer; a plane has none.
+static int number_of(const contact_cache *c, int b)
+{
+    return b < 0 ? 0 : c->placing[b].number;
+}
+
 static void forget(cache_pair *p)
 {
     p->count = 0;
@@ -229,56 +217,58 @@ static void forget(cache_pair *p)
     p->seen[0] = p->seen[1] = -1;
 }
 
+// Is body a of a pair so near to b, or to a plane, that its gap may close?
+static bool is_near(const cache_frame *f, int a, int b, real reach)
+{
+    vec3 at = f->now[a].frame.center;
+    real near = f->now[a].radius + reach;
+    if (b < 0) {
+        plane wall = f->plane[-1 - b];
+        return vec3_dot(wall.normal, at) - wall.offset <= near;
+    }
+    vec3 d = vec3_sub(at, f->now[b].frame.center);
+    near = f->now[a].radius + f->now[b].radius + reach;
+    return vec3_length_squared(d) <= near * near;
+}
+
 // Asks again where a body was placed again, or gets further than it was asked
 // for.
-static void decide(const contact_cache *c, cache_pair *p, real reach, int a,
-                   int b)
+static void decide(const contact_cache *c, const cache_frame *f, cache_pair *p,
+                   int a, int b)
 {
-    int seen = b < 0 ? 0 : c->placing[b].number;
-    p->is_asked = p->seen[0] != c->placing[a].number || p->seen[1] != seen
-                  || !(reach <= p->margin);
-}
-
-static void decide_pair(contact_cache *c, const cache_frame *f, int k)
-{
-    int a = c->pairs.key[k][0], b = c->pairs.key[k][1];
-    cache_pair *p = &c->pairs.pair[k];
     real reach = reach_of(f, a, b);
-    real near = f->now[a].radius + f->now[b].radius + reach;
-    vec3 d = vec3_sub(f->now[a].frame.center, f->now[b].frame.center);
     p->is_asked = false;
-    if (!f->moves[a] && !f->moves[b]) return;
-    if (!(vec3_length_squared(d) <= near * near)) forget(p);
-    else decide(c, p, reach, a, b);
-}
-
-static void decide_wall(contact_cache *c, const cache_frame *f, int k)
-{
-    int b = c->walls.key[k][0];
-    cache_pair *p = &c->walls.pair[k];
-    plane wall = f->plane[c->walls.key[k][1]];
-    real reach = f->ahead[b].reach;
-    real height = vec3_dot(wall.normal, f->now[b].frame.center) - wall.offset;
-    p->is_asked = false;
-    if (!f->moves[b]) return;
-    if (!(height <= f->now[b].radius + reach)) forget(p);
-    else decide(c, p, reach, b, -1);
+    if (!f->moves[a] && (b < 0 || !f->moves[b])) return;
+    if (!is_near(f, a, b, reach)) forget(p);
+    else p->is_asked = p->seen[0] != c->placing[a].number
+                    || p->seen[1] != number_of(c, b) || !(reach <= p->margin);
 }
 
 // The first items are walls, the others pairs.
+static cache_list *list_of(contact_cache *c, int *item)
+{
+    int walls = task_chunks(c->walls.count);
+    if (*item < walls) return &c->walls;
+    *item -= walls;
+    return &c->pairs;
+}
+
+// The second body of a pair in list l, or its plane.
+static int second_of(const contact_cache *c, const cache_list *l,
+                     const cache_pair *p)
+{
+    return l == &c->walls ? contact_with_plane(p->key[1]) : p->key[1];
+}
+
 static void decide_chunk(void *data, int item)
 {
-    const update *u = data;
-    int walls = task_chunks(u->c->walls.count);
-    if (item < walls) {
-        int end = task_end(item, u->c->walls.count);
-        for (int k = task_first(item); k < end; k++)
-            decide_wall(u->c, u->f, k);
-        return;
+    const cache_work *u = data;
+    const cache_list *l = list_of(u->c, &item);
+    int end = task_end(item, l->count);
+    for (int k = task_first(item); k < end; k++) {
+        cache_pair *p = &l->pair[k];
+        decide(u->c, u->f, p, p->key[0], second_of(u->c, l, p));
     }
-    item -= walls;
-    int end = task_end(item, u->c->pairs.count);
-    for (int k = task_first(item); k < end; k++) decide_pair(u->c, u->f, k);
 }
 //<
 
@@ -326,7 +316,7 @@ static void place_body(contact_cache *c, const cache_frame *f, int b,
 
 static void place_chunk(void *data, int item)
 {
-    const update *u = data;
+    const cache_work *u = data;
     int end = task_end(item, u->f->awakes);
     for (int k = item * TASK_CHUNK; k < end; k++)
         place_body(u->c, u->f, u->f->awake[k], u->c->updates + 1);
@@ -383,32 +373,12 @@ static void make_entry(contact_cache *c, const cache_frame *f, cache_pair *p,
 
 static void make_entries(contact_cache *c, const cache_frame *f)
 {
-    const cache_list *l = &c->pairs, *m = &c->walls;
-    for (int k = 0; k < l->count; k++)
-        make_entry(c, f, &l->pair[k], l->key[k][0], l->key[k][1]);
-    for (int k = 0; k < m->count; k++)
-        make_entry(c, f, &m->pair[k], m->key[k][0],
-                   contact_with_plane(m->key[k][1]));
-}
-//<
-
-//> cache-point
-//>   An answer names features of the two shapes. As a contact it is a point on
-//>   each body, in coordinates of its four particles.
-static void take_manifold(contact *c, const manifold *m, const cache_frame *f,
-                          bool is_ahead)
-{
-    c->count = m->count;
-    c->is_ahead = is_ahead;
-    c->normal = m->normal;
-    c->round_a = m->round_a;
-    c->round_b = m->round_b;
-    for (int k = 0; k < m->count; k++)
-        c->point[k] = (contact_point){
-            .local_a = cache_local(f->body[c->piece_a].rigid, &m->point[k].a),
-            .local_b = cache_local(f->body[c->piece_b].rigid, &m->point[k].b),
-            .offset = c->round_a + c->round_b,
-            .own = contact_own(&m->point[k], c) };
+    const cache_list *const list[] = { &c->pairs, &c->walls };
+    for (int i = 0; i < 2; i++)
+        for (int k = 0; k < list[i]->count; k++) {
+            cache_pair *p = &list[i]->pair[k];
+            make_entry(c, f, p, p->key[0], second_of(c, list[i], p));
+        }
 }
 //<
 
@@ -477,7 +447,7 @@ static swept_status query_swept(contact *c, const cache_frame *f)
     swept_status s = collide_swept(&a, &of_a, &b, &of_b, apart, scratch + both,
                                    &m);
     if (scratch != room) free(scratch);
-    if (s == SWEPT_TOUCHES) take_manifold(c, &m, f, true);
+    if (s == SWEPT_TOUCHES) cache_take(c, &m, f, true);
     return s;
 }
 //<
@@ -554,26 +524,19 @@ static bool query_ahead(const cache_frame *f, const contact *c, collider a,
 
 //> cache-pair
 //>   The answer goes into its entry, and inherits the impulses of the last one.
-// What it carried, for seams that find a contact on a floor again.
-static cache_load load_of(const contact *was, bool is_a)
+// The answer of now, for which bodies were looked `reach` (m) ahead.
+static void date(const contact_cache *c, const cache_frame *f, cache_pair *p,
+                 int a, int b, real reach)
 {
-    real sign = is_a ? 1 : -1;
-    cache_load l = { vec3_scale(sign, was->normal),
-                     vec3_scale(sign, was->friction), was->twist, was->count,
-                     { { 0, 0, 0 } }, { 0 } };
-    for (int k = 0; k < was->count; k++) {
-        l.local[k] = is_a ? was->point[k].local_a : was->point[k].local_b;
-        l.impulse[k] = was->impulse[k];
-    }
-    return l;
+    p->seen[0] = c->placing[a].number;
+    p->seen[1] = number_of(c, b);
+    p->margin = lasting_margin(c, f, a, b, reach);
 }
 
-static void query_pair(contact_cache *c, const cache_frame *f, cache_pair *p)
+static void query_bodies(contact_cache *c, const cache_frame *f, cache_pair *p,
+                         cache_entry *e)
 {
-    cache_entry *e = &c->entry[p->entry];
-    contact was, *now = &e->contact;
-    if (p->count > 0) was = *now;
-    else was = (contact){ .count = 0 };     // bequeaths nothing
+    contact *now = &e->contact;
     int a = now->piece_a, b = now->piece_b;
     collider x = cache_collider(c, f, a), y = cache_collider(c, f, b);
     swept_status swept = SWEPT_OVERLAP;
@@ -583,50 +546,43 @@ static void query_pair(contact_cache *c, const cache_frame *f, cache_pair *p)
     p->seen[0] = p->seen[1] = -1;
     bool may_pass = flies(f, a, b);
     if (may_pass || turns(f, a, b)) swept = query_swept(now, f);
-    if (swept != SWEPT_TOUCHES && !(may_pass && swept == SWEPT_PASSES)) {
-        real slack = slack_of(c, f, a, b), reach = reach_of(f, a, b);
-        manifold m;
-        bool is_ahead = query_ahead(f, now, x, y, 2 * slack, &e->carried,
-                                    &reach, &m);
-        take_manifold(now, &m, f, is_ahead);
-        p->seen[0] = c->placing[a].number;
-        p->seen[1] = c->placing[b].number;
-        p->margin = lasting_margin(c, f, a, b, reach);
-    }
-    p->count = (signed char)now->count;
-    p->near = -HUGE_VAL;
-    p->is_merged = false;
-    int slides = seams_slider(f, a, b);
-    if (slides >= 0) c->was[p->entry] = load_of(&was, slides == a);
-    contact_inherit(now, &was);
+    if (swept == SWEPT_TOUCHES || (may_pass && swept == SWEPT_PASSES)) return;
+    real slack = slack_of(c, f, a, b), reach = reach_of(f, a, b);
+    manifold m;
+    bool is_ahead = query_ahead(f, now, x, y, 2 * slack, &e->carried, &reach,
+                                &m);
+    cache_take(now, &m, f, is_ahead);
+    date(c, f, p, a, b, reach);
 }
-//<
 
-//> cache-walls
-//>   A plane needs no search: it is a face below the lowest vertex.
-static void query_wall(contact_cache *c, const cache_frame *f, cache_pair *p)
+// A plane needs no search: it is a face below the lowest vertex.
+static void query_wall(contact_cache *c, const cache_frame *f, cache_pair *p,
+                       contact *now)
 {
-    contact *now = &c->entry[p->entry].contact, was = *now;
     int a = now->piece_a;
     plane wall = f->plane[-1 - now->piece_b];
     collider body = cache_collider(c, f, a);
-    if (p->count == 0) was.count = 0;       // bequeaths nothing
     real slack = slack_of(c, f, a, -1), reach = reach_of(f, a, -1);
     manifold m = manifold_on_plane(&body, wall.normal, wall.offset,
                                    reach + 2 * slack, f->ahead[a].angle);
-    now->normal = wall.normal;
-    now->count = m.count;
-    now->round_a = m.round_a;
-    now->round_b = 0;
-    for (int k = 0; k < m.count; k++)
-        now->point[k] = (contact_point){
-            .local_a = cache_local(f->body[a].rigid, &m.point[k].a),
-            .offset = now->round_a, .own = 1 };
+    cache_take(now, &m, f, false);
+    date(c, f, p, a, -1, reach);
+}
+
+static void query(contact_cache *c, const cache_frame *f, cache_pair *p)
+{
+    cache_entry *e = &c->entry[p->entry];
+    contact was, *now = &e->contact;
+    if (p->count > 0) was = *now;
+    else was = (contact){ .count = 0 };     // bequeaths nothing
+    if (now->piece_b < 0) query_wall(c, f, p, now);
+    else                  query_bodies(c, f, p, e);
     p->count = (signed char)now->count;
-    p->seen[0] = c->placing[a].number;
-    p->seen[1] = 0;
-    p->margin = lasting_margin(c, f, a, -1, reach);
     p->near = -HUGE_VAL;
+    p->is_merged = false;
+    // For seams that find a contact on a floor again.
+    if (now->piece_b >= 0 && seams_slider(f, now->piece_a, now->piece_b) >= 0)
+        c->was[p->entry] = was;
     contact_inherit(now, &was);
 }
 //<
@@ -636,11 +592,6 @@ static void query_wall(contact_cache *c, const cache_frame *f, cache_pair *p)
 //>   that it has seen, and each body how far it has gone since. The gap can
 //>   have shrunk by no more than the sum of both: one subtraction, and in a
 //>   falling heap it spares most contacts.
-static real paths_of(const contact_cache *c, int a, int b)
-{
-    return c->placing[a].path + (b < 0 ? 0 : c->placing[b].path);
-}
-
 // A contact whose gap cannot close in this frame is left out: both bodies
 // together have not gone as far yet.
 static void activate(const contact_cache *c, const cache_frame *f,
@@ -649,7 +600,7 @@ static void activate(const contact_cache *c, const cache_frame *f,
     p->is_active = false;
     if (p->count == 0 || p->entry < 0) return;
     if (!f->moves[a] && (b < 0 || !f->moves[b])) return;
-    real paths = paths_of(c, a, b);
+    real paths = c->placing[a].path + (b < 0 ? 0 : c->placing[b].path);
     if (p->near - paths > reach_of(f, a, b)) return;
     p->near = paths;
     p->is_active = true;
@@ -660,19 +611,15 @@ static void activate(const contact_cache *c, const cache_frame *f,
 //>   All threads ask. None writes where another reads.
 static void query_chunk(void *data, int item)
 {
-    const update *u = data;
-    const cache_list *l = &u->c->walls;
-    int walls = task_chunks(l->count);
-    bool is_wall = item < walls;
-    if (!is_wall) l = &u->c->pairs, item -= walls;
+    const cache_work *u = data;
+    const cache_list *l = list_of(u->c, &item);
     int end = task_end(item, l->count);
     for (int k = task_first(item); k < end; k++) {
         cache_pair *p = &l->pair[k];
         if (k + 1 < end && p[1].is_asked)
             contact_expect(&u->c->entry[p[1].entry].contact);
-        if (p->is_asked && is_wall) query_wall(u->c, u->f, p);
-        else if (p->is_asked)       query_pair(u->c, u->f, p);
-        activate(u->c, u->f, p, l->key[k][0], is_wall ? -1 : l->key[k][1]);
+        if (p->is_asked) query(u->c, u->f, p);
+        activate(u->c, u->f, p, p->key[0], second_of(u->c, l, p));
     }
 }
 //<
@@ -689,19 +636,9 @@ static void gather(contact_cache *c, const cache_frame *f, cache_pair *p)
     }
     c->fast += p->seen[0] < 0 && now->b >= 0
              && flies(f, now->piece_a, now->piece_b);
+    c->reach[c->actives] = reach_of(f, now->piece_a, now->piece_b);
     c->active[c->actives] = now;
     c->of[c->actives++] = p;
-}
-
-static void reach_chunk(void *data, int item)
-{
-    const update *u = data;
-    contact_cache *c = u->c;
-    int end = task_end(item, c->actives);
-    for (int k = item * TASK_CHUNK; k < end; k++) {
-        const contact *x = c->active[k];
-        c->reach[k] = reach_of(u->f, x->piece_a, x->piece_b);
-    }
 }
 
 static bool grow_active(contact_cache *c, int need)
@@ -720,8 +657,6 @@ static void gather_active(contact_cache *c, const cache_frame *f)
     }
     for (int k = 0; k < c->pairs.count; k++) gather(c, f, &c->pairs.pair[k]);
     for (int k = 0; k < c->walls.count; k++) gather(c, f, &c->walls.pair[k]);
-    update u = { c, f };
-    tasks_run(f->run, reach_chunk, &u, task_chunks(c->actives));
 }
 
 // Within a frame what was to meet on one side of a body meets on no other: if it is
@@ -741,8 +676,7 @@ void cache_again(contact_cache *c, const cache_frame *f, int k)
     if (b >= 0) place_body(c, f, b, c->updates);
     p->is_asked = true;
     make_entry(c, f, p, a, b);
-    if (b < 0) query_wall(c, f, p);
-    else       query_pair(c, f, p);
+    query(c, f, p);
     if (b >= 0 && is_through(c->active[k], &was)) {
         *c->active[k] = was;
         p->count = (signed char)was.count;
@@ -804,9 +738,7 @@ void cache_free(contact_cache *c)
                            &c->still_walls };
     for (int k = 0; k < 4; k++) {
         free(list[k]->pair);
-        free(list[k]->key);
         free(list[k]->spare);
-        free(list[k]->spare_key);
     }
 #define FREE(table, kept, room) free(c->table);
     CACHE_TABLES(FREE, FREE, c)
@@ -828,9 +760,9 @@ static void drop_kept(contact_cache *c, cache_pair *p)
 static void clear_unplaced(contact_cache *c, cache_list *l, int bodies)
 {
     for (int k = 0; k < l->count; k++) {
-        int a = l->key[k][0], b = l->key[k][bodies - 1];
-        if (c->placing[a].number == 0 || c->placing[b].number == 0)
-            drop_kept(c, &l->pair[k]);
+        cache_pair *p = &l->pair[k];
+        if (c->placing[p->key[0]].number == 0
+            || c->placing[p->key[bodies - 1]].number == 0) drop_kept(c, p);
     }
 }
 
@@ -848,6 +780,6 @@ void cache_forget_plane(contact_cache *c, int wall)
     cache_list *list[] = { &c->walls, &c->still_walls };
     for (int i = 0; i < 2; i++)
         for (int k = 0; k < list[i]->count; k++)
-            if (list[i]->key[k][1] == wall) drop_kept(c, &list[i]->pair[k]);
+            if (list[i]->pair[k].key[1] == wall) drop_kept(c, &list[i]->pair[k]);
 }
 //<

@@ -61,6 +61,7 @@ typedef struct {
 // What is kept of a pair, or of a body and a plane: small, for it is read in
 // every frame.
 typedef struct {
+    int  key[2];        // two bodies, or a body and a plane's number
     int  entry;         // in the table of contacts; -1: none
     int  seen[2];       // of which placing of each body it was found; -1: it is
                         // good for this frame only
@@ -78,23 +79,11 @@ typedef struct {
     contact contact;
 } cache_entry;
 
-// What a contact carried before it was asked again in this frame.
-typedef struct {
-    vec3 normal;                // from the floor to what slides on it
-    vec3 friction;              // N s, on that
-    real twist;                 // N m s
-    int  count;
-    vec3 local[CONTACT_POINTS]; // of the body that slides, in its frame
-    real impulse[CONTACT_POINTS];       // N s
-} cache_load;
-
-// What is kept of the pairs of a list, and whose it is.
+// What is kept of the pairs of a list.
 typedef struct {
     cache_pair *pair;   // [count], as in the list
-    int (*key)[2];      // [count] two bodies, or a body and a plane's number
     int count, capacity;
     cache_pair *spare;          // [spare_capacity] for the next list
-    int (*spare_key)[2];
     int spare_capacity;
 } cache_list;
 
@@ -102,7 +91,8 @@ typedef struct {
     cache_list pairs, walls;    // of the pairs that are listed
     cache_list still_pairs, still_walls;        // of which nothing is loose
     cache_entry *entry;
-    cache_load  *was;           // [entries] of those on a floor, see seams.h
+    contact     *was;           // [entries] what those on a floor carried before
+                                // they were asked again in this frame
     int entries, entry_capacity, free_entry;
 
     int room;                   // bodies
@@ -138,6 +128,12 @@ typedef struct {
     int  fast;          // contacts of bodies that meet later in the frame
 } contact_cache;
 
+// What the threads of an update are given.
+typedef struct {
+    contact_cache *c;
+    const cache_frame *f;
+} cache_work;
+
 // All these tables, and for how much there is room: a saved cache keeps what is
 // KEPT, so much of it.
 #define CACHE_TABLES(KEPT, ROOM, c)                                           \
@@ -166,6 +162,27 @@ static inline real contact_own(const touch *p, const contact *c)
 {
     if (c->round_a != c->round_b) return c->round_a > c->round_b;
     return p->a.count == 1 ? 1 : p->b.count == 1 ? 0 : 0.5;
+}
+
+// Contact c, of whose pieces the first is a body, is what was found.  An answer
+// names features of the two shapes: as a contact they are points of each body, in
+// coordinates of its four particles.
+static inline void cache_take(contact *c, const manifold *m,
+                              const cache_frame *f, bool is_ahead)
+{
+    const rigid4 *a = f->body[c->piece_a].rigid;
+    const rigid4 *b = c->piece_b < 0 ? NULL : f->body[c->piece_b].rigid;
+    c->count = m->count;
+    c->is_ahead = is_ahead;
+    c->normal = m->normal;
+    c->round_a = m->round_a;
+    c->round_b = m->round_b;
+    for (int k = 0; k < m->count; k++)
+        c->point[k] = (contact_point){
+            .local_a = cache_local(a, &m->point[k].a),
+            .local_b = b ? cache_local(b, &m->point[k].b) : (vec3){ 0, 0, 0 },
+            .offset = c->round_a + c->round_b,
+            .own = b ? contact_own(&m->point[k], c) : 1 };
 }
 //<
 

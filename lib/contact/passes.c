@@ -73,40 +73,40 @@ static void choose_lane(lane_source *q, const contact *c,
 //> passes-transpose
 // One number of each of four lanes, side by side.  (Not stored one by one: a
 // processor waits long for what it has stored in parts and loads as a whole.)
-#define LANES_OF(q, number) \
-    real4_make((q)[0].number, (q)[1].number, (q)[2].number, (q)[3].number)
+#define LANES(q, number) \
+    real4_make((q)[0] number, (q)[1] number, (q)[2] number, (q)[3] number)
 
-#define LANES3_OF(to, q, vector)                \
-    do {                                        \
-        (to)[0] = LANES_OF(q, vector.x);        \
-        (to)[1] = LANES_OF(q, vector.y);        \
-        (to)[2] = LANES_OF(q, vector.z);        \
+#define LANES3(to, q, vector)               \
+    do {                                    \
+        (to)[0] = LANES(q, vector.x);       \
+        (to)[1] = LANES(q, vector.y);       \
+        (to)[2] = LANES(q, vector.z);       \
     } while (0)
 
 static void transpose_place(block_place *p, const lane_source q[REAL4], int j)
 {
-    LANES3_OF(p->local_a, q, local_a[j]);
-    LANES3_OF(p->local_b, q, local_b[j]);
-    p->offset = LANES_OF(q, offset[j]);
-    p->own = LANES_OF(q, own[j]);
-    p->has = LANES_OF(q, has[j]);
+    LANES3(p->local_a, q, .local_a[j]);
+    LANES3(p->local_b, q, .local_b[j]);
+    p->offset = LANES(q, .offset[j]);
+    p->own = LANES(q, .own[j]);
+    p->has = LANES(q, .has[j]);
 }
 
 static void transpose(block *k, const lane_source q[REAL4])
 {
-    LANES3_OF(k->normal, q, normal);
-    LANES3_OF(k->across[0], q, across);
-    LANES3_OF(k->across[1], q, aside);
-    k->across_impulse[0] = LANES_OF(q, across_impulse);
-    k->across_impulse[1] = LANES_OF(q, aside_impulse);
-    k->twist_impulse = LANES_OF(q, twist);
-    k->per_near = LANES_OF(q, per_near);
-    k->round_a = LANES_OF(q, round_a);
-    k->round_b = LANES_OF(q, round_b);
+    LANES3(k->normal, q, .normal);
+    LANES3(k->across[0], q, .across);
+    LANES3(k->across[1], q, .aside);
+    k->rub[0] = LANES(q, .across_impulse);
+    k->rub[1] = LANES(q, .aside_impulse);
+    k->rub[TWIST] = LANES(q, .twist);
+    k->per_near = LANES(q, .per_near);
+    k->round_a = LANES(q, .round_a);
+    k->round_b = LANES(q, .round_b);
     k->is_round = real4_any(real4_add(k->round_a, k->round_b));
     for (int j = 0; j < k->points; j++) {
         transpose_place(&k->place[j], q, j);
-        k->point[j].impulse = LANES_OF(q, impulse[j]);
+        k->point[j].impulse = LANES(q, .impulse[j]);
     }
 }
 //<
@@ -125,40 +125,35 @@ typedef struct {
 static const solver_body LIGHT = { .basis = { .inverse_mass = 1 } };
 static const solver_body NOWHERE = { .basis = { .inverse_mass = 0 } };
 
-static inline const solver_body *a_of(const contact_solver *s, const block *k,
-                                      const solver_frame *f, int lane)
+static inline const solver_body *a_of(const block *k, const solver_frame *f,
+                                      int lane)
 {
-    (void)s;
     return k->contact[lane] < 0 ? &LIGHT : &f->body[k->a[lane]];
+}
+
+// Its B: -1 where it is a plane, or the lane is left over.
+static inline int number_of_b(const contact_solver *s, const block *k, int lane)
+{
+    return k->contact[lane] < 0 ? -1 : s->active[k->contact[lane]].b;
 }
 
 static inline const solver_body *b_of(const contact_solver *s, const block *k,
                                       const solver_frame *f, int lane)
 {
-    int n = k->contact[lane], b = n < 0 ? -1 : s->active[n].b;
+    int b = number_of_b(s, k, lane);
     return b < 0 ? &NOWHERE : &f->body[b];
 }
 
-#define LANES_AT(q, number) \
-    real4_make((q)[0]->number, (q)[1]->number, (q)[2]->number, (q)[3]->number)
-
-#define LANES3_AT(to, q, vector)                \
-    do {                                        \
-        (to)[0] = LANES_AT(q, vector.x);        \
-        (to)[1] = LANES_AT(q, vector.y);        \
-        (to)[2] = LANES_AT(q, vector.z);        \
-    } while (0)
-
 static void take_frames(bodies4 *to, const rigid_frame *const from[REAL4])
 {
-    LANES3_AT(to->center, from, center);
-    for (int i = 0; i < FOUR_AXES; i++) LANES3_AT(to->axis[i], from, axis[i]);
+    LANES3(to->center, from, ->center);
+    for (int i = 0; i < FOUR_AXES; i++) LANES3(to->axis[i], from, ->axis[i]);
 }
 
 static void take_turns(bodies4 *to, const motion_basis *const from[REAL4])
 {
-    for (int t = 0; t < TURNS; t++) LANES3_AT(to->turn[t], from, turn[t]);
-    to->inverse = LANES_AT(from, inverse_mass);
+    for (int t = 0; t < TURNS; t++) LANES3(to->turn[t], from, ->turn[t]);
+    to->inverse = LANES(from, ->inverse_mass);
 }
 
 // m, from the centres.
@@ -221,41 +216,32 @@ static void find_gaps(block *k, const raw_block *raw)
     }
 }
 
-// Rows are made elsewhere for what lies, and for what touches a driven body that
-// turns.
-static bool stand_elsewhere(const contact_solver *s, const block *k,
-                            const solver_frame *f, raw_block *raw)
-{
-    const rigid_frame *at_a[REAL4], *at_b[REAL4];
-    bool some = false;
-    for (int l = 0; l < REAL4; l++) {
-        int n = k->contact[l], a = k->a[l], b = n < 0 ? -1 : s->active[n].b;
-        bool from_a = n >= 0 && f->is_elsewhere[a];
-        bool from_b = b >= 0 && f->is_elsewhere[b];
-        some |= from_a || from_b;
-        at_a[l] = n < 0 ? &LIGHT.frame : from_a ? &f->rows_at[a]
-                                                : &f->body[a].frame;
-        at_b[l] = b < 0 ? &NOWHERE.frame : from_b ? &f->rows_at[b]
-                                                  : &f->body[b].frame;
-    }
-    if (!some) return false;
-    take_frames(&raw->a, at_a);
-    take_frames(&raw->b, at_b);
-    return true;
-}
-
-// The gaps, and the arms at which they are.
-static void see_gaps_of(const contact_solver *s, block *k,
-                        const solver_frame *f, raw_block *raw)
+// The arms, where the bodies stand now; or, for rows, elsewhere, if one of them
+// lies or touches a driven body that turns.
+static inline void take_arms(const contact_solver *s, const block *k,
+                             const solver_frame *f, raw_block *raw,
+                             bool is_elsewhere)
 {
     const rigid_frame *a[REAL4], *b[REAL4];
+    bool some = !is_elsewhere;
     for (int l = 0; l < REAL4; l++) {
-        a[l] = &a_of(s, k, f, l)->frame;
-        b[l] = &b_of(s, k, f, l)->frame;
+        int at_a = k->contact[l] < 0 ? -1 : k->a[l], at_b = number_of_b(s, k, l);
+        bool from_a = is_elsewhere && at_a >= 0 && f->is_elsewhere[at_a];
+        bool from_b = is_elsewhere && at_b >= 0 && f->is_elsewhere[at_b];
+        some |= from_a || from_b;
+        a[l] = from_a ? &f->rows_at[at_a] : &a_of(k, f, l)->frame;
+        b[l] = from_b ? &f->rows_at[at_b] : &b_of(s, k, f, l)->frame;
     }
+    if (!some) return;
     take_frames(&raw->a, a);
     take_frames(&raw->b, b);
     find_arms(k, raw);
+}
+
+static void see_gaps_of(const contact_solver *s, block *k,
+                        const solver_frame *f, raw_block *raw)
+{
+    take_arms(s, k, f, raw, false);
     find_gaps(k, raw);
 }
 
@@ -293,7 +279,7 @@ static void stand(const contact_solver *s, block *k, const solver_frame *f,
     const motion_basis *a[REAL4], *b[REAL4];
     see_gaps_of(s, k, f, raw);
     for (int l = 0; l < REAL4; l++) {
-        a[l] = &a_of(s, k, f, l)->basis;
+        a[l] = &a_of(k, f, l)->basis;
         b[l] = &b_of(s, k, f, l)->basis;
         if (lies(f, s, k, l, k->a[l])) a[l] = &f->lying[k->a[l]];
         if (lies(f, s, k, l, k->b[l])) b[l] = &f->lying[k->b[l]];
@@ -302,7 +288,7 @@ static void stand(const contact_solver *s, block *k, const solver_frame *f,
     if (k->two) take_turns(&raw->b, b);
     k->inverse_a = raw->a.inverse;
     k->inverse_b = k->two ? raw->b.inverse : real4_all(0);
-    if (f->is_elsewhere && stand_elsewhere(s, k, f, raw)) find_arms(k, raw);
+    if (f->is_elsewhere) take_arms(s, k, f, raw, true);
     for (int j = 0; j < k->points; j++) share_arms(raw, k->place[j].own, j);
 }
 //<
@@ -381,12 +367,12 @@ ALWAYS_INLINE void make_friction(block *k, raw_block *raw, real4 inverse,
 {
     real4 own[2], twist, *mass = k->across_mass;
     for (int i = 0; i < 2; i++)
-        own[i] = real4_add(inverse, make_rows(k->across_a[i], k->across_b[i],
+        own[i] = real4_add(inverse, make_rows(k->rub_a[i], k->rub_b[i],
                                               raw, center_a, center_b,
                                               k->across[i], two));
-    real4 cross = real4_dot(k->across_a[0], k->across_a[1]);
-    if (two) cross = real4_add(cross, real4_dot(k->across_b[0],
-                                                k->across_b[1]));
+    real4 cross = real4_dot(k->rub_a[0], k->rub_a[1]);
+    if (two) cross = real4_add(cross, real4_dot(k->rub_b[0],
+                                                k->rub_b[1]));
     real4 volume = real4_sub(real4_mul(own[0], own[1]),
                              real4_mul(cross, cross));
     real4 per_volume = real4_div(real4_all(1), volume);
@@ -394,8 +380,8 @@ ALWAYS_INLINE void make_friction(block *k, raw_block *raw, real4 inverse,
     mass[1] = real4_sub(real4_all(0), real4_mul(cross, per_volume));
     mass[2] = real4_mul(own[0], per_volume);
     if (k->points == 1) return;         // one point alone does not twist
-    twist = make_row(k->twist_a, raw->a.turn, k->normal);
-    if (two) twist = real4_add(twist, make_row(k->twist_b, raw->b.turn,
+    twist = make_row(k->rub_a[TWIST], raw->a.turn, k->normal);
+    if (two) twist = real4_add(twist, make_row(k->rub_b[TWIST], raw->b.turn,
                                                k->normal));
     twist = real4_if_positive(twist, twist, real4_all(1));
     k->twist_mass = real4_div(real4_all(1), twist);
@@ -413,18 +399,6 @@ static void set_material(const preparation *p, block *k)
         real4_set(&k->friction, l, solver_material(p->f, c->a, c->b).friction);
         real4_set(&k->strikes, l, solver_strikes(p->f, c));
     }
-}
-
-// The first contact in s->order of block `number`, and how many it has.
-static int lanes_of(const contact_solver *s, int number, int *first)
-{
-    int color = 0, before = 0;
-    while (number >= s->color[color].first + s->color[color].count) color++;
-    for (int c = 0; c < color; c++) before += s->color[c].contacts;
-    int in = number - s->color[color].first;
-    int each = s->color[color].is_crowded ? 1 : REAL4;
-    *first = before + each * in;
-    return int_min(each, s->color[color].contacts - each * in);
 }
 
 ALWAYS_INLINE void make_rows_at(block *k, raw_block *raw, bool two)
@@ -454,7 +428,7 @@ static void fill_block(void *data, int number)
     contact_solver *s = p->s;
     block *k = &s->block[number];
     lane_source q[REAL4];
-    int first, lanes = lanes_of(s, number, &first);
+    int first, lanes = solver_lanes(s, number, &first);
     const int *list = s->order + first;
     k->rubs = true;
     k->two = s->active[list[0]].sides != ONE_SIDED;
@@ -498,7 +472,7 @@ static bool block_is_good(const preparation *p, int number)
 {
     const contact_solver *s = p->s;
     const block *k = &s->block[number];
-    int first, lanes = lanes_of(s, number, &first), at = s->start[number];
+    int first, lanes = solver_lanes(s, number, &first), at = s->start[number];
     bool good = k->point == s->point + at && k->place == s->place + at
              && k->points == s->start[number + 1] - at;
     for (int l = 0; l < REAL4 && good; l++) {
@@ -514,16 +488,10 @@ static void fill_chunk(void *data, int item)
     const preparation *p = data;
     int end = task_last(item, p->s->blocks, FEW_BLOCKS);
     for (int k = item * FEW_BLOCKS; k < end; k++) {
-        if (k < p->known && block_is_good(p, k)) keep_block(p, k);
+        if (k < p->known && (p->is_same || block_is_good(p, k)))
+            keep_block(p, k);
         else fill_block(data, k);
     }
-}
-
-static void keep_chunk(void *data, int item)
-{
-    const preparation *p = data;
-    int end = task_end(item, p->s->blocks);
-    for (int k = item * TASK_CHUNK; k < end; k++) keep_block(p, k);
 }
 //<
 
@@ -784,20 +752,20 @@ ALWAYS_INLINE void push(block *k, const solver_pass *q, bool two,
 // twist at most that with the lever of each point.
 ALWAYS_INLINE void twist_block(block *k, real4 most, sides4 *u, bool two)
 {
-    real4 speed = part_turns(k->twist_a, k->twist_b, u, two);
-    real4 twist = real4_sub(k->twist_impulse,
+    real4 speed = part_turns(k->rub_a[TWIST], k->rub_b[TWIST], u, two);
+    real4 twist = real4_sub(k->rub[TWIST],
                             real4_mul(k->twist_mass, speed));
     twist = real4_max(real4_min(twist, most),
                       real4_sub(real4_all(0), most));
-    real4 change = real4_sub(twist, k->twist_impulse);
-    k->twist_impulse = twist;
-    push_turns(k->twist_a, k->twist_b, change, u, two);
+    real4 change = real4_sub(twist, k->rub[TWIST]);
+    k->rub[TWIST] = twist;
+    push_turns(k->rub_a[TWIST], k->rub_b[TWIST], change, u, two);
 }
 
 ALWAYS_INLINE real4 slide(const block *k, int i, const sides4 *u, bool two)
 {
     return real4_add(part_centers(k->across[i], u, two),
-                     part_turns(k->across_a[i], k->across_b[i], u, two));
+                     part_turns(k->rub_a[i], k->rub_b[i], u, two));
 }
 
 ALWAYS_INLINE void brake_block(block *k, real4 most, sides4 *u, bool two)
@@ -805,19 +773,19 @@ ALWAYS_INLINE void brake_block(block *k, real4 most, sides4 *u, bool two)
     const real4 *mass = k->across_mass, one = real4_all(1);
     const real4 least = real4_all(1e-300);      // no length is 0 below
     real4 x = slide(k, 0, u, two), y = slide(k, 1, u, two), impulse[2];
-    impulse[0] = real4_sub(k->across_impulse[0],
+    impulse[0] = real4_sub(k->rub[0],
                            real4_mad(mass[0], x, real4_mul(mass[1], y)));
-    impulse[1] = real4_sub(k->across_impulse[1],
+    impulse[1] = real4_sub(k->rub[1],
                            real4_mad(mass[1], x, real4_mul(mass[2], y)));
     real4 length = real4_sqrt(real4_mad(impulse[0], impulse[0],
                                         real4_mul(impulse[1], impulse[1])));
     real4 share = real4_min(real4_div(most, real4_max(length, least)), one);
     for (int i = 0; i < 2; i++) {
         impulse[i] = real4_mul(share, impulse[i]);
-        real4 change = real4_sub(impulse[i], k->across_impulse[i]);
-        k->across_impulse[i] = impulse[i];
+        real4 change = real4_sub(impulse[i], k->rub[i]);
+        k->rub[i] = impulse[i];
         push_centers(k, k->across[i], change, u, two);
-        push_turns(k->across_a[i], k->across_b[i], change, u, two);
+        push_turns(k->rub_a[i], k->rub_b[i], change, u, two);
     }
 }
 //<
@@ -869,13 +837,10 @@ ALWAYS_INLINE void warm_block(block *k, const solver_pass *q, bool two)
         push_turns(p->turn_a, p->turn_b, p->impulse, &u, two);
     }
     push_centers(k, k->normal, sum, &u, two);
-    for (int i = 0; i < 2; i++) {
-        push_centers(k, k->across[i], k->across_impulse[i], &u, two);
-        push_turns(k->across_a[i], k->across_b[i], k->across_impulse[i], &u,
-                   two);
+    for (int i = 0; i < (k->points > 1 ? RUBS : TWIST); i++) {
+        if (i < TWIST) push_centers(k, k->across[i], k->rub[i], &u, two);
+        push_turns(k->rub_a[i], k->rub_b[i], k->rub[i], &u, two);
     }
-    if (k->points > 1)
-        push_turns(k->twist_a, k->twist_b, k->twist_impulse, &u, two);
     give_sides(k, q->velocity, &u, two);
 }
 //<
@@ -903,7 +868,7 @@ PASS(relax_chunk, relax(x, q, true, false), relax(x, q, false, false))
 PASS(relax_to_impacts_chunk, relax(x, q, true, true), relax(x, q, false, true))
 
 const solver_passes PASSES = {
-    .fill = fill_chunk, .refill = fill_block, .keep = keep_chunk, .renew = renew_chunk,
+    .fill = fill_chunk, .refill = fill_block, .renew = renew_chunk,
     .see = see_chunk, .warm = warm_chunk,
     .push = { push_chunk, push_to_impacts_chunk },
     .relax = { relax_chunk, relax_to_impacts_chunk }

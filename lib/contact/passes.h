@@ -121,15 +121,17 @@ typedef struct {
     real4 lever;        // m, from the point where friction acts
 } block_point;
 
+// Friction acts along two directions across the normal, and as a twist about it.
+enum { TWIST = 2, RUBS };
+
 typedef struct {
     real4 normal[3];
     real4 across[2][3];                 // two unit vectors across it
     real4 inverse_a, inverse_b;         // 1/kg
-    real4 across_a[2][TURNS], across_b[2][TURNS];   // rows of friction
-    real4 twist_a[TURNS], twist_b[TURNS];
+    real4 rub_a[RUBS][TURNS], rub_b[RUBS][TURNS];   // rows of friction
     real4 across_mass[3];               // kg: inverse of the 2 x 2 matrix K
     real4 twist_mass;                   // kg m^2
-    real4 across_impulse[2], twist_impulse;
+    real4 rub[RUBS];                    // N s, N m s, its impulses
     real4 friction;
     real4 strikes;                      // 1: see solver_strikes; 0: it does not
     int   a[REAL4], b[REAL4];           // bodies; lanes left over: the spare
@@ -144,8 +146,7 @@ typedef struct {
     bool  is_round;                     // some are
     real4 round_a, round_b;             // m, see contact
     real4 per_near;                     // 1/m, of a gap that is all but closed
-    real4 began[3];                     // N s, N m s, friction's impulses before
-                                        // this substep
+    real4 began[RUBS];                  // rub before this substep
     block_point *point;                 // [points] of the solver's
     block_place *place;                 // [points]
 } block;
@@ -173,7 +174,6 @@ typedef struct {
     bool is_new;        // it, or one of its points, was not in the last frame
     bool is_deep;       // overlaps by more than a tenth of the smaller radius
     signed char point[CONTACT_POINTS];  // which of the contact's
-    real gap[CONTACT_POINTS];           // m
     real least;                         // m, of all points
     real load;          // N s, along the normal, when last solved
     int  above;         // the body that lies on the other, if they touch, and
@@ -208,7 +208,7 @@ static inline bool solver_is_kept(const active_contact *x,
 
 typedef struct {
     int  first, count;  // blocks
-    int  contacts;
+    int  begin, contacts;       // in the solver's order
     int  sides;
     bool is_crowded;    // more contacts met in one body than there are colours:
                         // these share bodies, one in a block
@@ -232,10 +232,19 @@ typedef struct {
     int  colors;
     unsigned long long (*taken)[SIDES]; // [bodies] colours of each
     int  room;                          // for so many there is room
-    int  touching;                      // contacts that may touch in this frame
     bool strikes;                       // some of these strike
     real h;                             // s, the substeps that blocks are for
 } contact_solver;
+
+// The first contact in s->order of block `number`, and how many it has.
+static inline int solver_lanes(const contact_solver *s, int number, int *first)
+{
+    const block_color *c = s->color;
+    while (number >= c->first + c->count) c++;
+    int each = c->is_crowded ? 1 : REAL4, before = each * (number - c->first);
+    *first = c->begin + before;
+    return int_min(each, c->contacts - before);
+}
 //<
 
 //> passes-declare
@@ -248,7 +257,8 @@ typedef struct {
     const solver_frame *f;
     const contact *const *table;
     const real *reach;
-    int known;          // so many blocks are those of the frame before
+    int known;          // so many blocks are those of the frame before,
+    bool is_same;       // and all their contacts are
 } preparation;
 
 // What a pass over the blocks is given.
@@ -264,11 +274,11 @@ typedef struct {
     const solver_frame *f;
 } solver_pass;
 
-// Each does item `item` of its work: FEW_BLOCKS blocks, but `keep` TASK_CHUNK.
+// Each does item `item` of its work: FEW_BLOCKS blocks.
 // `push` and `relax` of contacts that have no impacts; and that may have some.
 typedef void solver_work(void *data, int item);
 typedef struct {
-    solver_work *fill, *keep, *renew;               // data: a preparation
+    solver_work *fill, *renew;                      // data: a preparation
     solver_work *refill;                            // item: one block
     solver_work *see, *warm, *push[2], *relax[2];   // data: a solver_pass
 } solver_passes;

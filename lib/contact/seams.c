@@ -89,16 +89,8 @@ static bool stands_out(const slider *s, int b, vec3 n, real height)
 {
     if (b < 0) return vec3_dot(s->f->plane[-1 - b].normal, n) < ALIKE;
     real center = vec3_dot(s->f->now[b].frame.center, n);
-    if (center > height) return true;
     return center + s->f->now[b].radius > height
         && height_of(s, b, n) > height;
-}
-
-static bool is_in_ball(const slider *s, int b, vec3 p, real flush)
-{
-    real far = s->f->now[b].radius + flush;
-    vec3 d = vec3_sub(p, s->f->now[b].frame.center);
-    return vec3_length_squared(d) <= far * far;
 }
 
 // Is p in body or plane b, or outside by no more than flush?  (A round body
@@ -110,7 +102,10 @@ static bool holds_point(const slider *s, int b, vec3 p, real flush)
         return vec3_dot(w.normal, p) <= w.offset + flush;
     }
     collider x = cache_collider(s->c, s->f, b);
-    if (x.shape->round > 0 || !is_in_ball(s, b, p, flush)) return false;
+    real far = s->f->now[b].radius + flush;
+    vec3 d = vec3_sub(p, s->f->now[b].frame.center);
+    if (x.shape->round > 0 || !(vec3_length_squared(d) <= far * far))
+        return false;
     for (int k = 0; k < x.shape->mesh.faces; k++) {
         vec3 m = face_area(x.shape, x.at, k);
         real over = vec3_dot(m, vec3_sub(p, x.at[x.shape->face[3 * k]]));
@@ -169,8 +164,6 @@ static bool is_covered(const slider *s, const side *b, int c)
 {
     real flush = flush_of(s, b->b);
     if (!stay_together(s, b->b, c)) return false;
-    for (int k = 0; k < b->points && c >= 0; k++)
-        if (!is_in_ball(s, c, b->at[k], flush)) return false;
     if (!stands_out(s, c, b->n, b->height + flush)) return false;
     for (int k = 0; k < b->points; k++)
         if (!holds_point(s, c, b->at[k], flush)) return false;
@@ -292,31 +285,27 @@ static manifold find_along(const slider *s, const contact *x, vec3 m)
 //>   The contact gets other points, and the load that it had.
 // Each point of what was hands its impulse to the nearest, as contact_inherit
 // does; none, if the normal was further off than that (a cosine).
-static void carry(const slider *s, const side *x, const cache_load *was,
+static void carry(const slider *s, const side *x, const contact *was,
                   real alike)
 {
     contact *t = x->contact;
-    bool is_a = t->piece_a == s->a;
-    if (!(vec3_dot(x->n, was->normal) >= alike) || t->count == 0) return;
-    for (int k = 0; k < was->count; k++)
-        t->impulse[contact_nearest(t, is_a, was->local[k])] += was->impulse[k];
-    t->friction = vec3_add_scaled(t->friction, is_a ? 1 : -1, was->friction);
+    bool is_a = t->piece_a == s->a, was_a = was->piece_a == s->a;
+    real sign = is_a == was_a ? 1 : -1;
+    if (!(vec3_dot(t->normal, vec3_scale(sign, was->normal)) >= alike)
+        || t->count == 0) return;
+    for (int k = 0; k < was->count; k++) {
+        const contact_point *p = &was->point[k];
+        vec3 local = was_a ? p->local_a : p->local_b;
+        t->impulse[contact_nearest(t, is_a, local)] += was->impulse[k];
+    }
+    t->friction = vec3_add_scaled(t->friction, sign, was->friction);
     t->twist += was->twist;
 }
 
 static void take(const slider *s, side *x, const manifold *m)
 {
     contact *t = x->contact;
-    t->count = m->count;
-    t->is_ahead = false;
-    t->normal = m->normal;
-    t->round_a = m->round_a;
-    t->round_b = m->round_b;
-    for (int k = 0; k < m->count; k++)
-        t->point[k] = (contact_point){
-            cache_local(s->f->body[t->piece_a].rigid, &m->point[k].a),
-            cache_local(s->f->body[t->piece_b].rigid, &m->point[k].b),
-            t->round_a + t->round_b, contact_own(&m->point[k], t) };
+    cache_take(t, m, s->f, false);
     see_side(s, x);
     contact_clear(t);
     carry(s, x, &s->c->was[x->pair->entry], CONTACT_SAME);
@@ -537,10 +526,10 @@ static bool is_met(const cache_pair *p)
     return p->entry >= 0 && (p->count > 0 || p->is_merged);
 }
 
-static bool is_new_on_floor(const cache_frame *f, const cache_pair *p,
-                            const int key[2])
+static bool is_new_on_floor(const cache_frame *f, const cache_pair *p)
 {
-    return p->is_asked && p->count > 0 && seams_slider(f, key[0], key[1]) >= 0;
+    return p->is_asked && p->count > 0
+        && seams_slider(f, p->key[0], p->key[1]) >= 0;
 }
 
 // Calls with `do_write` false count; then places are known.
@@ -551,7 +540,7 @@ static void list_met(contact_cache *c, const cache_frame *f, bool do_write)
         for (int k = 0; k < list[l]->count; k++) {
             if (!is_met(&list[l]->pair[k])) continue;
             for (int i = 0; i < 2 - l; i++) {
-                int b = list[l]->key[k][i];
+                int b = list[l]->pair[k].key[i];
                 if (!f->moves[b]) continue;
                 if (do_write) c->met[c->last[b]] = l ? ~k : k;
                 c->last[b]++;
@@ -636,14 +625,9 @@ static void mend_body(contact_cache *c, const cache_frame *f, int a)
     else mend_slider(&s);
 }
 
-typedef struct {
-    contact_cache *c;
-    const cache_frame *f;
-} mending;
-
 static void mend_chunk(void *data, int item)
 {
-    const mending *m = data;
+    const cache_work *m = data;
     int end = task_end(item, m->f->awakes);
     for (int k = task_first(item); k < end; k++)
         mend_body(m->c, m->f, m->f->awake[k]);
@@ -651,10 +635,10 @@ static void mend_chunk(void *data, int item)
 
 void seams_mend(contact_cache *c, const cache_frame *f)
 {
-    mending m = { c, f };
+    cache_work m = { c, f };
     bool is_any = false;
     for (int k = 0; k < c->pairs.count && !is_any; k++)
-        is_any = is_new_on_floor(f, &c->pairs.pair[k], c->pairs.key[k]);
+        is_any = is_new_on_floor(f, &c->pairs.pair[k]);
     if (!is_any) return;
     if (!TABLE_RENEW(c->met, c->met_capacity,
                      2 * c->pairs.count + c->walls.count)) {

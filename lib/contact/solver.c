@@ -65,8 +65,7 @@ static void activate(active_contact *x, const contact *c, const solver_frame *f,
     for (int k = 0; k < c->count; k++) {
         x->least = real_min(gap[k], x->least);
         if (!(gap[k] < reach)) continue;
-        x->point[x->count] = (signed char)k;
-        x->gap[x->count++] = gap[k];
+        x->point[x->count++] = (signed char)k;
     }
     real radius = active_radius(x, f);
     find_loads(x, c, f, radius);
@@ -135,7 +134,6 @@ static void sort_contacts(contact_solver *s, int end[BINS])
     for (int k = s->first; k < s->end; k++)
         if (s->active[k].count > 0) s->order[at[bin_of(&s->active[k])]++] = k;
     for (int bin = 0; bin < BINS; bin++) end[bin] = at[bin];
-    s->touching = sum;
 }
 
 static void list_colors(contact_solver *s, const int end[BINS])
@@ -146,11 +144,11 @@ static void list_colors(contact_solver *s, const int end[BINS])
         int n = end[(c + 1) * KINDS - 1] - first;
         bool is_crowded = c % COLORS == COLORS - 1;
         int blocks = is_crowded ? n : (n + REAL4 - 1) / REAL4;
-        first += n;
         if (n == 0) continue;
-        s->color[s->colors++] = (block_color){ s->blocks, blocks, n, c / COLORS,
-                                               is_crowded };
+        s->color[s->colors++] = (block_color){ s->blocks, blocks, first, n,
+                                               c / COLORS, is_crowded };
         s->blocks += blocks;
+        first += n;
     }
 }
 //<
@@ -196,26 +194,22 @@ static bool make_room(contact_solver *s, int n)
 
 static void forget_blocks(contact_solver *s)
 {
-    s->contacts = s->blocks = s->colors = s->touching = 0;
+    s->contacts = s->blocks = s->colors = 0;
     s->first = s->end = 0;
 }
 
 // A block has as many points as the contact in it that has most.
 static void count_points(contact_solver *s)
 {
-    int at = 0, sum = 0, *start = s->start;
-    for (const block_color *c = s->color; c < s->color + s->colors; c++) {
-        int end = at + c->contacts, each = c->is_crowded ? 1 : REAL4;
-        for (; at < end; at += each) {
-            int most = 0, last = int_min(at + each, end);
-            for (int k = at; k < last; k++)
-                most = int_max(most, s->active[s->order[k]].count);
-            *start++ = sum;
-            sum += most;
-        }
-        at = end;
+    int sum = 0;
+    for (int n = 0; n < s->blocks; n++) {
+        int most = 0, first, lanes = solver_lanes(s, n, &first);
+        for (int k = first; k < first + lanes; k++)
+            most = int_max(most, s->active[s->order[k]].count);
+        s->start[n] = sum;
+        sum += most;
     }
-    *start = sum;
+    s->start[s->blocks] = sum;
 }
 
 // Room for the blocks, and for their points.
@@ -232,7 +226,6 @@ static bool make_block_room(contact_solver *s)
 static bool make_blocks(contact_solver *s, preparation *p)
 {
     int end[BINS];
-    p->known = s->blocks;
     for (int k = s->first; k < s->end; k++) clear_colors(s, &s->active[k]);
     for (int k = s->first; k < s->end; k++)
         if (s->active[k].count > 0) choose_color(s, &s->active[k]);
@@ -241,8 +234,6 @@ static bool make_blocks(contact_solver *s, preparation *p)
     const block *were = s->block;
     if (!make_block_room(s)) return false;
     if (s->block != were || !has_blocks(s, p->f)) p->known = 0;
-    tasks_run(p->f->run, passes_best()->fill, p,
-              task_items(s->blocks, FEW_BLOCKS));
     // Blocks of some of the contacts are not those of the next frame.
     s->h = s->end - s->first < s->contacts ? 0 : p->f->h;
     return true;
@@ -275,14 +266,15 @@ bool solver_prepare(contact_solver *s, const solver_frame *f,
     s->strikes = false;
     for (int k = s->first; k < s->end && !s->strikes; k++)
         s->strikes = s->active[k].count > 0 && solver_strikes(f, table[k]);
-    preparation p = { .s = s, .f = f, .table = table };
-    if (may_keep_all(s, f)) {
-        tasks_run(f->run, passes_best()->keep, &p, task_chunks(s->blocks));
-        return true;
+    preparation p = { .s = s, .f = f, .table = table, .known = s->blocks };
+    p.is_same = may_keep_all(s, f);
+    if (!p.is_same && !make_blocks(s, &p)) {
+        forget_blocks(s);
+        return false;
     }
-    bool done = make_blocks(s, &p);
-    if (!done) forget_blocks(s);
-    return done;
+    tasks_run(f->run, passes_best()->fill, &p,
+              task_items(s->blocks, FEW_BLOCKS));
+    return true;
 }
 //<
 
@@ -362,8 +354,7 @@ void solver_mark(contact_solver *s)
         block *k = &s->block[n];
         for (int j = 0; j < k->points; j++)
             k->place[j].began = k->point[j].impulse;
-        for (int i = 0; i < 2; i++) k->began[i] = k->across_impulse[i];
-        k->began[2] = k->twist_impulse;
+        for (int i = 0; i < RUBS; i++) k->began[i] = k->rub[i];
     }
 }
 
@@ -373,8 +364,7 @@ void solver_rewind(contact_solver *s)
         block *k = &s->block[n];
         for (int j = 0; j < k->points; j++)
             k->point[j].impulse = k->place[j].began;
-        for (int i = 0; i < 2; i++) k->across_impulse[i] = k->began[i];
-        k->twist_impulse = k->began[2];
+        for (int i = 0; i < RUBS; i++) k->rub[i] = k->began[i];
         k->rubs = true;
     }
 }
@@ -386,9 +376,7 @@ void solver_scale(contact_solver *s, real times)
         block *k = &s->block[n];
         for (int j = 0; j < k->points; j++)
             k->point[j].impulse = real4_mul(by, k->point[j].impulse);
-        for (int i = 0; i < 2; i++)
-            k->across_impulse[i] = real4_mul(by, k->across_impulse[i]);
-        k->twist_impulse = real4_mul(by, k->twist_impulse);
+        for (int i = 0; i < RUBS; i++) k->rub[i] = real4_mul(by, k->rub[i]);
     }
 }
 //<
@@ -407,10 +395,10 @@ static void store_lane(const block *k, int l, active_contact *x, contact *c)
         vec3 t = { real4_get(&k->across[i][0], l),
                    real4_get(&k->across[i][1], l),
                    real4_get(&k->across[i][2], l) };
-        real impulse = sign * real4_get(&k->across_impulse[i], l);
+        real impulse = sign * real4_get(&k->rub[i], l);
         c->friction = vec3_add_scaled(c->friction, impulse, t);
     }
-    c->twist = real4_get(&k->twist_impulse, l);
+    c->twist = real4_get(&k->rub[TWIST], l);
     x->load = load;
 }
 
@@ -418,6 +406,14 @@ typedef struct {
     contact_solver *s;
     contact *const *table;
 } storing;
+
+static void store_block(contact_solver *s, const block *x, contact *const *table)
+{
+    for (int l = 0; l < REAL4; l++) {
+        int k = x->contact[l];
+        if (k >= 0) store_lane(x, l, &s->active[k], table[k]);
+    }
+}
 
 static void clear_chunk(void *data, int item)
 {
@@ -436,13 +432,10 @@ static void store_chunk(void *data, int item)
     const storing *q = data;
     int end = task_end(item, q->s->blocks);
     for (int n = item * TASK_CHUNK; n < end; n++) {
-        const block *x = &q->s->block[n];
         const block *next = &q->s->block[int_min(n + AHEAD / REAL4, end - 1)];
-        for (int l = 0; l < REAL4; l++) {
-            int k = x->contact[l], then = next->contact[l];
-            if (then >= 0) contact_expect(q->table[then]);
-            if (k >= 0) store_lane(x, l, &q->s->active[k], q->table[k]);
-        }
+        for (int l = 0; l < REAL4; l++)
+            if (next->contact[l] >= 0) contact_expect(q->table[next->contact[l]]);
+        store_block(q->s, &q->s->block[n], q->table);
     }
 }
 
@@ -477,11 +470,7 @@ static void give_blocks(contact_solver *s, contact *const *table, bool are_new)
 {
     for (int n = 0; n < s->blocks; n++) {
         const block *x = &s->block[n];
-        if (has_new(s, x) != are_new) continue;
-        for (int l = 0; l < REAL4; l++) {
-            int k = x->contact[l];
-            if (k >= 0) store_lane(x, l, &s->active[k], table[k]);
-        }
+        if (has_new(s, x) == are_new) store_block(s, x, table);
     }
 }
 

@@ -52,9 +52,7 @@ static void pair_list_store(pair_list *x, store *s)
 static void cache_list_store(cache_list *l, store *s)
 {
     STORE_TABLE(s, l->pair, l->count, l->capacity);
-    STORE_TABLE(s, l->key, l->count, l->capacity);
     STORE_ROOM(s, l->spare, l->spare_capacity);
-    STORE_ROOM(s, l->spare_key, l->spare_capacity);
 }
 
 static void cache_store(contact_cache *x, store *s)

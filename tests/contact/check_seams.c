@@ -32,9 +32,8 @@ static plane ground;
 static cache_frame frame;
 static contact_cache cache;
 static cache_pair pair[PAIRS], wall[1];
-static int key[PAIRS][2], wall_key[1][2];
 static cache_entry entry[PAIRS + 1];
-static cache_load was[PAIRS + 1];
+static contact was[PAIRS + 1];
 static rigid_frame placed[BODIES];
 static struct placing placing[BODIES];
 static vec3 vertex[8 * BODIES];
@@ -66,8 +65,8 @@ static void set_up(void)
     ck_assert(rigid4_build(&cube4, &cube).ok && rigid4_build(&tile4, &tile).ok);
     bodies = 0;
     cache = (contact_cache){
-        .pairs = { .pair = pair, .key = key },
-        .walls = { .pair = wall, .key = wall_key },
+        .pairs = { .pair = pair },
+        .walls = { .pair = wall },
         .entry = entry, .was = was, .placed = placed, .placing = placing,
         .vertex = vertex, .first = first, .last = end_of,
         .room = BODIES };
@@ -99,9 +98,9 @@ static contact *found(int b, vec3 n, int count, const int *va, const int *vb)
 {
     int k = cache.pairs.count++;
     contact *c = &entry[k].contact;
-    key[k][0] = A, key[k][1] = b;
-    pair[k] = (cache_pair){ .entry = k, .seen = { 1, 1 }, .is_asked = true,
-                            .is_active = true, .count = (signed char)count };
+    pair[k] = (cache_pair){ .key = { A, b }, .entry = k, .seen = { 1, 1 },
+                            .is_asked = true, .is_active = true,
+                            .count = (signed char)count };
     *c = (contact){ .a = A, .b = b, .piece_a = A, .piece_b = b, .count = count,
                     .normal = n };
     for (int i = 0; i < count; i++) c->point[i] = touch_of(A, va[i], b, vb[i]);
@@ -284,8 +283,8 @@ START_TEST(side_behind_a_plane_is_met_from_above)
     *on = (contact){ .a = A, .b = contact_with_plane(0), .piece_a = A,
                      .piece_b = contact_with_plane(0), .count = 1,
                      .normal = UP };
-    wall[0] = (cache_pair){ .entry = PAIRS, .is_asked = true, .count = 1 };
-    wall_key[0][0] = A, wall_key[0][1] = 0;
+    wall[0] = (cache_pair){ .key = { A, 0 }, .entry = PAIRS, .is_asked = true,
+                            .count = 1 };
     cache.walls.count = 1;
     mend();
     ck_assert(c->count == 0 || c->normal.y > 0.99);
@@ -340,10 +339,10 @@ START_TEST(pieces_in_one_plane_are_one_floor)
 {
     lay_two(7, 7, 0);
     for (int k = 0; k < 2; k++) {
-        was[k] = (cache_load){ .normal = UP, .friction = { 1, 0, 0 },
-                               .twist = 0.5, .count = 2 };
+        was[k] = (contact){ .piece_a = A, .normal = UP, .friction = { 1, 0, 0 },
+                            .twist = 0.5, .count = 2 };
         for (int i = 0; i < 2; i++) {
-            was[k].local[i] = cube4.local[k ? 1 + 4 * i : 4 * i];
+            was[k].point[i].local_a = cube4.local[k ? 1 + 4 * i : 4 * i];
             was[k].impulse[i] = 1 + i + 2 * k;
         }
     }

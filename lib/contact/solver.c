@@ -341,6 +341,12 @@ void solver_push(contact_solver *s, const solver_frame *f, motion *velocity,
              passes_best()->push[s->strikes]);
 }
 
+void solver_find_strikes(contact_solver *s, const solver_frame *f,
+                         motion *velocity)
+{
+    run_pass(s, f, velocity, NULL, passes_best()->strike);
+}
+
 void solver_relax(contact_solver *s, const solver_frame *f, motion *velocity,
                   const motion *moved)
 {

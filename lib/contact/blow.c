@@ -188,7 +188,7 @@ static bool has_point(const block *k, int lane, int j)
 static bool closes(const blow *w, block *k, int lane)
 {
     bool some = false;
-    for (int j = 0; j < k->points && !some; j++) {
+    for (int j = 0; j < k->points && !some && !k->is_stale; j++) {
         blow_row r = row_of(w, k, lane, j);
         some = has_point(k, lane, j)
             && row_parts(&r, w->velocity) < -w->slowest;

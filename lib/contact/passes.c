@@ -697,7 +697,8 @@ static inline real4 leave_impacts(const block *k, const solver_pass *q, real4 sp
 static void find_strike(block *k, const solver_pass *q, bool two)
 {
     const real4 zero = real4_all(0), per_h = real4_all(q->per_h);
-    if (!k->is_uneven) return;
+    k->strikes_now = false;
+    if (!k->is_uneven || k->is_stale) return;
     sides4 u = take_sides(k, q->velocity, two);
     real4 parting = part_centers(k->normal, &u, two), closing = zero;
     for (int j = 0; j < k->points; j++) {

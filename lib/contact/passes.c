@@ -90,6 +90,7 @@ static void transpose_place(block_place *p, const lane_source q[REAL4], int j)
     p->offset = LANES(q, .offset[j]);
     p->own = LANES(q, .own[j]);
     p->has = LANES(q, .has[j]);
+    p->blow = real4_all(0);
 }
 
 static void transpose(block *k, const lane_source q[REAL4])
@@ -273,6 +274,20 @@ static bool all_lies(const contact_solver *s, const block *k,
     return !real4_any(open);
 }
 
+// Is one body of a contact as much heavier than the other, and more?  Of bodies
+// that are alike a pass takes most of a blow.
+static const real UNEVEN = 2;               // tuned, times
+
+static bool is_uneven(const block *k)
+{
+    const real4 much = real4_all(UNEVEN), zero = real4_all(0);
+    real4 a = real4_sub(k->inverse_a, real4_mul(much, k->inverse_b));
+    real4 b = real4_sub(k->inverse_b, real4_mul(much, k->inverse_a));
+    real4 most = real4_max(real4_max(a, b), zero);
+    return k->two && !k->is_driven
+        && real4_any(real4_mul(k->place[0].has, most));
+}
+
 static void stand(const contact_solver *s, block *k, const solver_frame *f,
                   raw_block *raw)
 {
@@ -431,6 +446,7 @@ static void fill_block(void *data, int number)
     int first, lanes = solver_lanes(s, number, &first);
     const int *list = s->order + first;
     k->rubs = true;
+    k->is_struck = k->strikes_now = false;
     k->two = s->active[list[0]].sides != ONE_SIDED;
     k->is_driven = s->active[list[0]].sides == DRIVEN_SIDED;
     k->points = s->start[number + 1] - s->start[number];
@@ -449,6 +465,7 @@ static void fill_block(void *data, int number)
     transpose(k, q);
     set_material(p, k);
     make_rows_of(s, k, p->f);
+    k->is_uneven = is_uneven(k);
 }
 
 //<
@@ -645,6 +662,29 @@ static inline real4 leave_impacts(const block *k, const solver_pass *q, real4 sp
 }
 //<
 
+//> passes-strikes
+//>   Where a heavy body strikes a light one, how fast do they close when the pass
+//>   is over ([`blow`](lib-blow.md))? What pressed before does not strike.
+static void find_strike(block *k, const solver_pass *q, bool two)
+{
+    const real4 zero = real4_all(0), per_h = real4_all(q->per_h);
+    k->strikes_now = false;
+    if (!k->is_uneven || k->is_stale) return;
+    sides4 u = take_sides(k, q->velocity, two);
+    real4 parting = part_centers(k->normal, &u, two), closing = zero;
+    for (int j = 0; j < k->points; j++) {
+        const block_point *p = &k->point[j];
+        real4 turns = part_turns(p->turn_a, p->turn_b, &u, two);
+        real4 then = real4_mad(real4_max(p->now, zero), per_h,
+                               real4_add(parting, turns));
+        then = real4_add(then, real4_all(q->slowest));
+        then = real4_if_positive(k->place[j].began, zero, then);
+        closing = real4_min(closing, real4_mul(k->place[j].has, then));
+    }
+    k->strikes_now = real4_any(closing);
+}
+//<
+
 //> passes-see
 //>   What a caller may look at.
 ALWAYS_INLINE void see_block(block *k, const solver_pass *q, bool two)
@@ -828,6 +868,8 @@ ALWAYS_INLINE void relax(block *k, const solver_pass *q, bool two, bool has_impa
 //>   Warm start: the impulses of the last substep act again.
 ALWAYS_INLINE void warm_block(block *k, const solver_pass *q, bool two)
 {
+    for (int j = 0; j < k->points && k->is_uneven; j++)
+        k->place[j].began = k->point[j].impulse;
     if (!acts(k)) return;
     sides4 u = take_sides(k, q->velocity, two);
     real4 sum = real4_all(0);
@@ -861,6 +903,7 @@ ALWAYS_INLINE void warm_block(block *k, const solver_pass *q, bool two)
     }
 
 PASS(see_chunk, see_block(x, q, true), see_block(x, q, false))
+PASS(strike_chunk, find_strike(x, q, true), (void)x)
 PASS(warm_chunk, warm_block(x, q, true), warm_block(x, q, false))
 PASS(push_chunk, push(x, q, true, false), push(x, q, false, false))
 PASS(push_to_impacts_chunk, push(x, q, true, true), push(x, q, false, true))
@@ -869,7 +912,7 @@ PASS(relax_to_impacts_chunk, relax(x, q, true, true), relax(x, q, false, true))
 
 const solver_passes PASSES = {
     .fill = fill_chunk, .refill = fill_block, .renew = renew_chunk,
-    .see = see_chunk, .warm = warm_chunk,
+    .see = see_chunk, .strike = strike_chunk, .warm = warm_chunk,
     .push = { push_chunk, push_to_impacts_chunk },
     .relax = { relax_chunk, relax_to_impacts_chunk }
 };

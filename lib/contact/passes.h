@@ -107,6 +107,7 @@ typedef struct {
     real4 own;          // 1: they push where A's point is; 0: where B's is
     real4 has;          // 1: there is such a point; 0: not
     real4 began;        // N s, its impulse before this substep
+    real4 blow;         // N s, what of it was given at once, see blow.h
 } block_place;
 //<
 
@@ -139,6 +140,9 @@ typedef struct {
     int   points;                       // of the contact that has most
     bool  two;                          // both sides move,
     bool  is_driven;                    // but B is driven
+    bool  is_uneven;                    // a heavy body meets a light one
+    bool  strikes_now;                  // and they still close fast
+    bool  is_struck;                    // there was a blow
     bool  rubs;                         // friction's impulses may not be 0
     bool  is_stale;                     // rows are those of an older substep
     bool  lies;                         // all that it has lies, with its gaps
@@ -231,6 +235,10 @@ typedef struct {
     block_color color[SIDES * COLORS];
     int  colors;
     unsigned long long (*taken)[SIDES]; // [bodies] colours of each
+    int  *first_of;                     // [bodies] the first side of a block's
+                                        // contact that is of each, and
+    int  *next_of;                      // after each side the next: see blow.c
+    int  side_capacity;
     int  room;                          // for so many there is room
     bool strikes;                       // some of these strike
     real h;                             // s, the substeps that blocks are for
@@ -280,7 +288,7 @@ typedef void solver_work(void *data, int item);
 typedef struct {
     solver_work *fill, *renew;                      // data: a preparation
     solver_work *refill;                            // item: one block
-    solver_work *see, *warm, *push[2], *relax[2];   // data: a solver_pass
+    solver_work *see, *strike, *warm, *push[2], *relax[2];   // data: a solver_pass
 } solver_passes;
 
 extern const solver_passes passes_narrow, passes_wide;

@@ -216,7 +216,8 @@ static void count_points(contact_solver *s)
 static bool make_block_room(contact_solver *s)
 {
     if (!TABLE_RENEW(s->block, s->block_capacity, s->blocks)
-        || !TABLE_RENEW(s->start, s->start_capacity, s->blocks + 1))
+        || !TABLE_RENEW(s->start, s->start_capacity, s->blocks + 1)
+        || !TABLE_RENEW(s->next_of, s->side_capacity, 2 * REAL4 * s->blocks))
         return false;
     count_points(s);
     return TABLE_RENEW(s->point, s->point_capacity, s->start[s->blocks])
@@ -331,6 +332,12 @@ void solver_push(contact_solver *s, const solver_frame *f, motion *velocity,
 {
     run_pass(s, f, velocity, moved,
              passes_best()->push[s->strikes]);
+}
+
+void solver_find_strikes(contact_solver *s, const solver_frame *f,
+                         motion *velocity)
+{
+    run_pass(s, f, velocity, NULL, passes_best()->strike);
 }
 
 void solver_relax(contact_solver *s, const solver_frame *f, motion *velocity,
@@ -534,6 +541,7 @@ status solver_grow(contact_solver *s, int bodies)
     bool ok = true;
     if (s->taken && bodies <= s->room) return status_ok();
     TABLE_GROW(ok, s->taken, 0, room);
+    TABLE_GROW(ok, s->first_of, 0, room);
     if (!ok) return status_out_of_memory();
     move_spare(s, room);
     return status_ok();
@@ -548,6 +556,8 @@ void solver_free(contact_solver *s)
     free(s->place);
     free(s->start);
     free(s->taken);
+    free(s->first_of);
+    free(s->next_of);
     *s = (contact_solver){ .contacts = 0 };
 }
 //<

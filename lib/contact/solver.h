@@ -49,6 +49,9 @@ void solver_warm(contact_solver *s, const solver_frame *f, motion *velocity);
 // Solves the normals: gaps close at most, and overlaps are pushed out.
 void solver_push(contact_solver *s, const solver_frame *f, motion *velocity,
                  const motion *moved);
+// After it: which blocks of a heavy and a light body still close fast (blow.h).
+void solver_find_strikes(contact_solver *s, const solver_frame *f,
+                         motion *velocity);
 // After the bodies have moved: makes the rows of those that f->fresh names for
 // where they stand now, or f->rows_at says.
 void solver_renew(contact_solver *s, const solver_frame *f);

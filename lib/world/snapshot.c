@@ -90,6 +90,8 @@ static void contact_solver_store(contact_solver *s, store *to)
     STORE_TABLE(to, s->active, s->contacts, s->capacity);
     STORE_ROOM(to, s->order, s->capacity);
     STORE_ROOM(to, s->taken, s->room);
+    STORE_ROOM(to, s->first_of, s->room);
+    STORE_ROOM(to, s->next_of, s->side_capacity);
     block_store(s, to);
 }
 //<

@@ -3,6 +3,7 @@
 #include "step.h"
 #include "advance.h"
 #include "ahead.h"
+#include "blow.h"
 #include "drive.h"
 #include "guard.h"
 #include "hear.h"
@@ -76,6 +77,7 @@ static void go(world *w, solver_frame f, real *since)
         if (more > 0) continue;
         grow_old(w, f.h);
         if (w->rigid.listens) hear_contacts(w);
+        blow_forget(&w->rigid.solver);
         if (left > 0) ahead_again(w, &f, left * f.h);
     }
 }
@@ -624,6 +626,7 @@ static void substep(world *w, const solver_frame *f, real *since)
     if (r->hangs) linkage_begin(&w->joints, &joints);
     if (r->hangs) linkage_push(&w->joints, &joints);
     solver_push(&t->solver, f, t->velocity, t->moved);
+    blow_stop(&t->solver, f, t->velocity);
     if (r->hangs) linkage_push(&w->joints, &joints);
     advance_bodies(w, f->h);
     renew(w, *f);
@@ -645,6 +648,7 @@ static void substep(world *w, const solver_frame *f, real *since)
 static void redo(world *w, solver_frame *f, real times, const ledger_page *page)
 {
     linkage_pass q = join_pass(w, f);
+    blow_forget(&w->rigid.solver);
     advance_back(w);
     linkage_rewind(&w->joints, &q);
     ledger_go_back(w, page);

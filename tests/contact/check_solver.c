@@ -836,7 +836,7 @@ END_TEST
 // have no blocks; memory that is lost.
 START_TEST(refused_memory_leaves_no_contact)
 {
-    enum { ARRAYS = 6 };        // that solver_prepare allocates
+    enum { ARRAYS = 7 };        // that solver_prepare allocates
     contact *table[PILE_CONTACTS];
     contact_solver s;
     for (int left = 0; left < 1; left++) {

@@ -1,0 +1,31 @@
+//> blow-head
+// blow.h - what strikes is stopped through all that it strikes against.
+//
+// Paper: not asked.  Book: chapter 15.
+// The passes see one contact after the other: of a heavy ball that falls on a
+// light box they take what the box weighs, and give that back in the next
+// substep.  So the ball comes up again, as from a spring.  Here ball, box and
+// ground are solved together, once, directly.
+// Units: metres, kilograms, seconds.  Normals point from B to A.
+
+#ifndef TUMBLE_BLOW_H
+#define TUMBLE_BLOW_H
+
+#include "solver.h"
+//<
+
+//> blow-declare
+// After solver_push.  Where two bodies, one more than twice as heavy as the
+// other, still close faster than material_slowest, beyond their gap, the least
+// impulses are given that stop them, and all that these make close as fast.
+// Energy only falls.  As many points take part as a body has colours; the passes
+// have the rest.
+enum { BLOW_ROWS = COLORS };
+void blow_stop(contact_solver *s, const solver_frame *f, motion *velocity);
+
+// After solver_relax, and when contacts have been heard: what a blow gave does
+// not act again in the next substep.
+void blow_forget(contact_solver *s);
+
+#endif
+//<

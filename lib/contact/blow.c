@@ -188,6 +188,7 @@ static bool has_point(const block *k, int lane, int j)
 static bool closes(const blow *w, block *k, int lane)
 {
     bool some = false;
+    if (real4_get(&k->strikes, lane) > 1) return false;     // it will bounce
     for (int j = 0; j < k->points && !some && !k->is_stale; j++) {
         blow_row r = row_of(w, k, lane, j);
         some = has_point(k, lane, j)
@@ -294,10 +295,11 @@ void blow_stop(contact_solver *s, const solver_frame *f, motion *velocity)
     bool is_listed = false;
     for (int n = 0; n < s->blocks; n++) {
         block *k = &s->block[n];
-        for (int l = 0; l < REAL4 && k->strikes_now; l++) {
+        for (int l = 0; l < REAL4; l++) {
+            if (!(real4_get(&k->closing, l) < 0)) continue;
             if (!is_listed) list_sides(s);
             is_listed = true;
-            if (k->contact[l] < 0 || !closes(&w, k, l)) continue;
+            if (!closes(&w, k, l)) continue;
             w.rows = w.count = w.good = 0;
             add_contact(&w, k, l);
             do stop_rows(&w);
@@ -316,11 +318,11 @@ void blow_forget(contact_solver *s)
         k->is_struck = false;
         real4 all = zero, left = zero;
         for (int j = 0; j < k->points; j++) {
-            real4 *sum = &k->point[j].impulse, *blows = &k->place[j].blow;
+            real4 *sum = &k->point[j].impulse;
             all = real4_add(all, *sum);
-            *sum = real4_max(real4_sub(*sum, *blows), zero);
+            *sum = real4_max(real4_sub(*sum, k->place[j].blow), zero);
             left = real4_add(left, *sum);
-            *blows = zero;
+            k->place[j].blow = zero;
         }
         // What rubbed under it goes with it.
         real4 share = real4_if_positive(all, real4_div(left, all), zero);

@@ -278,14 +278,19 @@ static bool all_lies(const contact_solver *s, const block *k,
 // that are alike a pass takes most of a blow.
 static const real UNEVEN = 2;               // tuned, times
 
-static bool is_uneven(const block *k)
+// What rests a mass M on a mass m falls for sqrt(M / m) substeps until the warm
+// start bears it.  What closes faster than that makes it strikes.
+static void find_uneven(block *k)
 {
-    const real4 much = real4_all(UNEVEN), zero = real4_all(0);
-    real4 a = real4_sub(k->inverse_a, real4_mul(much, k->inverse_b));
-    real4 b = real4_sub(k->inverse_b, real4_mul(much, k->inverse_a));
-    real4 most = real4_max(real4_max(a, b), zero);
-    return k->two && !k->is_driven
-        && real4_any(real4_mul(k->place[0].has, most));
+    k->uneven = real4_all(0);
+    k->is_uneven = false;
+    for (int l = 0; l < REAL4 && k->two && !k->is_driven; l++) {
+        real a = real4_get(&k->inverse_a, l), b = real4_get(&k->inverse_b, l);
+        real ratio = a > b ? a / b : b / a;
+        if (k->contact[l] < 0 || !(ratio > UNEVEN)) continue;
+        real4_set(&k->uneven, l, sqrt(ratio));
+        k->is_uneven = true;
+    }
 }
 
 static void stand(const contact_solver *s, block *k, const solver_frame *f,
@@ -411,8 +416,10 @@ static void set_material(const preparation *p, block *k)
     for (int l = 0; l < REAL4; l++) {
         if (k->contact[l] < 0) continue;
         const contact *c = p->table[k->contact[l]];
-        real4_set(&k->friction, l, solver_material(p->f, c->a, c->b).friction);
-        real4_set(&k->strikes, l, solver_strikes(p->f, c));
+        material m = solver_material(p->f, c->a, c->b);
+        real4_set(&k->friction, l, m.friction);
+        real4_set(&k->strikes, l,
+                  solver_strikes(p->f, c) + (m.restitution > 0));
     }
 }
 
@@ -446,7 +453,7 @@ static void fill_block(void *data, int number)
     int first, lanes = solver_lanes(s, number, &first);
     const int *list = s->order + first;
     k->rubs = true;
-    k->is_struck = k->strikes_now = false;
+    k->is_struck = false;
     k->two = s->active[list[0]].sides != ONE_SIDED;
     k->is_driven = s->active[list[0]].sides == DRIVEN_SIDED;
     k->points = s->start[number + 1] - s->start[number];
@@ -465,7 +472,7 @@ static void fill_block(void *data, int number)
     transpose(k, q);
     set_material(p, k);
     make_rows_of(s, k, p->f);
-    k->is_uneven = is_uneven(k);
+    find_uneven(k);
 }
 
 //<
@@ -664,24 +671,28 @@ static inline real4 leave_impacts(const block *k, const solver_pass *q, real4 sp
 
 //> passes-strikes
 //>   Where a heavy body strikes a light one, how fast do they close when the pass
-//>   is over ([`blow`](lib-blow.md))? What pressed before does not strike.
+//>   is over ([`blow`](lib-blow.md))? Slower ones the
+//>   warm start bears soon.
 static void find_strike(block *k, const solver_pass *q, bool two)
 {
     const real4 zero = real4_all(0), per_h = real4_all(q->per_h);
-    k->strikes_now = false;
+    real4 closing = zero;
+    k->closing = zero;
     if (!k->is_uneven || k->is_stale) return;
     sides4 u = take_sides(k, q->velocity, two);
-    real4 parting = part_centers(k->normal, &u, two), closing = zero;
+    real4 parting = part_centers(k->normal, &u, two);
+    real4 slowest = real4_mul(k->uneven, real4_all(q->slowest));
+    real4 bounces = real4_sub(k->strikes, real4_all(1));
     for (int j = 0; j < k->points; j++) {
         const block_point *p = &k->point[j];
         real4 turns = part_turns(p->turn_a, p->turn_b, &u, two);
         real4 then = real4_mad(real4_max(p->now, zero), per_h,
                                real4_add(parting, turns));
-        then = real4_add(then, real4_all(q->slowest));
-        then = real4_if_positive(k->place[j].began, zero, then);
+        then = real4_add(then, slowest);
+        then = real4_if_positive(bounces, zero, then);
         closing = real4_min(closing, real4_mul(k->place[j].has, then));
     }
-    k->strikes_now = real4_any(closing);
+    k->closing = real4_if_positive(k->uneven, closing, zero);
 }
 //<
 
@@ -868,8 +879,6 @@ ALWAYS_INLINE void relax(block *k, const solver_pass *q, bool two, bool has_impa
 //>   Warm start: the impulses of the last substep act again.
 ALWAYS_INLINE void warm_block(block *k, const solver_pass *q, bool two)
 {
-    for (int j = 0; j < k->points && k->is_uneven; j++)
-        k->place[j].began = k->point[j].impulse;
     if (!acts(k)) return;
     sides4 u = take_sides(k, q->velocity, two);
     real4 sum = real4_all(0);

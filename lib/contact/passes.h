@@ -134,14 +134,16 @@ typedef struct {
     real4 twist_mass;                   // kg m^2
     real4 rub[RUBS];                    // N s, N m s, its impulses
     real4 friction;
-    real4 strikes;                      // 1: see solver_strikes; 0: it does not
+    real4 strikes;                      // 0: not; 1: see solver_strikes; 2: and
+                                        // it bounces
+    real4 uneven;                       // root of the ratio of the masses, or 0
+    real4 closing;                      // m/s, below 0: they strike, see blow.h
     int   a[REAL4], b[REAL4];           // bodies; lanes left over: the spare
     int   contact[REAL4];               // -1: left over
     int   points;                       // of the contact that has most
     bool  two;                          // both sides move,
     bool  is_driven;                    // but B is driven
     bool  is_uneven;                    // a heavy body meets a light one
-    bool  strikes_now;                  // and they still close fast
     bool  is_struck;                    // there was a blow
     bool  rubs;                         // friction's impulses may not be 0
     bool  is_stale;                     // rows are those of an older substep

@@ -69,6 +69,12 @@ static inline void probe_forget_sleep(world *w, int b)
 
 // --- Rigid bodies within a frame ---------------------------------------------
 
+// What the island of a body may have of energy, and has.
+static inline island *probe_budget(world *w, int b)
+{
+    return &w->rigid.island[w->rigid.island[b].parent];
+}
+
 // In motion coordinates, see motion.h: m/s, and m since it got its frame.
 static inline motion *probe_velocity(world *w, int b)
 {

@@ -287,7 +287,15 @@ static tumble_body add_platform(tumble_world *w, tumble_vec3 velocity)
     return tumble_body_add(w, tumble_shape_box(w, tumble_v(60, 1, 60), 1), o);
 }
 
-// Both stand on one platform.
+static double pose_apart(const tumble_world *v, tumble_body a,
+                         const tumble_world *w, tumble_body b)
+{
+    return apart(tumble_body_position(v, a), tumble_body_position(w, b));
+}
+
+// Both stand on one platform, which is placed anew when it has left its margin for
+// either: where it is seen from is rounded otherwise then.  A cube that lies takes
+// that over, a ton on a kilogram that rings makes more of it.
 // Rejects: islands that are one because something driven touches both; a platform
 // that goes on with the substeps of one of them only, or from where another island
 // has left it.
@@ -295,23 +303,22 @@ START_TEST(box_on_the_platform_of_a_hard_pair_goes_as_it_goes_alone)
 {
     // An impact asks for as many substeps as a hard pair, and shares them.
     enum { BOX = 1, PAIR = 2, BOTH = 3, LANDS = 25 };
+    const double rounded = 1e-12, rings = 1e-4;     // m
     tumble_world *w[BOTH + 1];
     tumble_body box[BOTH + 1], light[BOTH + 1];
     int most = 0;
     for (int i = BOX; i <= BOTH; i++) {
         w[i] = tumble_world_make(NULL);
-        add_platform(w[i], tumble_v(0.5, 0.25, 0));
+        add_platform(w[i], tumble_v(0.5 + 0.01 * _i, 0.25 + 0.005 * _i, 0));
         if (i & BOX)  box[i] = add_spinning_cube(w[i]);
         if (i & PAIR) add_hard_pair(w[i], &light[i]);
     }
-    for (int k = 0; k < 120; k++) {
+    for (int k = 0; k < 300; k++) {
         for (int i = BOX; i <= BOTH; i++) tumble_world_step(w[i]);
-        tumble_pose a = tumble_body_pose(w[BOX], box[BOX]);
-        tumble_pose b = tumble_body_pose(w[BOTH], box[BOTH]);
-        ck_assert_msg(memcmp(&a, &b, sizeof a) == 0, "frame %d", k);
-        a = tumble_body_pose(w[PAIR], light[PAIR]);
-        b = tumble_body_pose(w[BOTH], light[BOTH]);
-        ck_assert_msg(k >= LANDS || memcmp(&a, &b, sizeof a) == 0, "frame %d", k);
+        double off = pose_apart(w[BOX], box[BOX], w[BOTH], box[BOTH]);
+        ck_assert_msg(off < rounded, "frame %d: %g m", k, off);
+        off = pose_apart(w[PAIR], light[PAIR], w[BOTH], light[BOTH]);
+        ck_assert_msg(k >= LANDS || off < rings, "frame %d: %g m", k, off);
         int substeps = tumble_world_last_step(w[BOTH]).substeps;
         most = substeps > most ? substeps : most;
     }
@@ -376,9 +383,13 @@ int main(void)
         saved_world_goes_on_with_the_same_bits,
         island_lets_go_after_half_a_second,
         box_beside_a_cloth_goes_as_it_goes_alone,
-        box_on_the_platform_of_a_hard_pair_goes_as_it_goes_alone,
         what_slides_in_a_train_slides_as_at_the_station,
         NULL
     };
-    return suite_run((suite){ .name = "islands", .tests = tests, .seconds = 20 });
+    return suite_run((suite){
+        .name = "islands", .tests = tests, .seconds = 20,
+        .repeated = {
+            { box_on_the_platform_of_a_hard_pair_goes_as_it_goes_alone, 0, 11 }
+        }
+    });
 }

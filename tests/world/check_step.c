@@ -1283,10 +1283,10 @@ static real slowed(real drift, real apart, real *then)
     add_at(&box, 0, 0, 0);
     add_at(&box, 0.995, 0, 0);
     frames(1);
-    motion *u = w.rigid.velocity;
+    motion *u = probe_velocity(&w, 0);
     for (int b = 0; b < 2; b++)
         u[b] = (motion){ { b ? drift + apart : drift - apart } };
-    island *both = &w.rigid.island[w.rigid.island[0].parent];
+    island *both = probe_budget(&w, 0);
     both->most = drift * drift + apart * apart / 4;
     guard_brake(&w, 0);
     *then = (u[0].of[0] + u[1].of[0]) / 2;

@@ -191,6 +191,9 @@ static inline void facet_corners(const body *b, int k, int end[FACET])
     end[2] = b->first + (is_face ? v[2] : s->stick[k].b);
 }
 
+// m, how far particles of `soft` are kept from the surface of `rigid`.
+real soft_gap(const body *soft, const body *rigid);
+
 // m, how far triangles and links of `soft` are kept from the edges and corners
 // of `rigid`.
 real facet_gap(const body *soft, const body *rigid);

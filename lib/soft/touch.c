@@ -358,7 +358,8 @@ int touch_bodies(const near_lists *l, rigid_view *v, const soft_frame *f,
         if (who == BY_WHOLE && body_is_fixed(&f->body[pair.rigid])) continue;
         if (pair.soft != last.soft || pair.rigid != last.rigid) {
             rigid_view_look(v, f, pair.rigid);
-            apart = share * f->body[pair.soft].thickness;
+            apart = share * soft_gap(&f->body[pair.soft],
+                                     &f->body[pair.rigid]);
             m = soft_material(f, pair.soft, pair.rigid);
         }
         last = pair;
@@ -519,7 +520,7 @@ bool touch_is_clear(rigid_view *v, const soft_frame *f, int a, int b)
     const body *soft = &f->body[a], *rigid = &f->body[b];
     const shape *s = soft->shape;
     int facets = s->mesh.faces > 0 ? s->mesh.faces : s->sticks;
-    real apart = soft->thickness;
+    real apart = soft_gap(soft, rigid);
     surface_point at;
     rigid_view_look(v, f, b);
     for (int i = soft->first; i < soft->first + s->particles; i++)

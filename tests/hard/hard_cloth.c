@@ -219,7 +219,7 @@ static void build_flat(setting *s, int n, int lies, int is_turned)
     lay_table(s, lies ? o : weightless(o), vec3_make(3, 0.2, 3), n, where);
     if (!s->ok.ok || !lies) return;
     const body *b = &s->w.body[1];
-    vec3 down = vec3_make(0, b->thickness - 1, 0);
+    vec3 down = vec3_make(0, soft_gap(b, &s->w.body[0]) - 1, 0);
     for (int i = b->first; i < s->w.pool.count; i++) {
         particle *p = &s->w.pool.at[i];
         p->position = vec3_add(p->position, down);

@@ -250,7 +250,7 @@ void build_fold(setting *s, fold_kind kind, int n)
     lay_table(s, world_scene_options(SCENE_CLOTH_ON_CUBE, 40), sides, n, where);
     if (!s->ok.ok || kind == FOLD_UPRIGHT) return;
     const body *cloth = &s->w.body[1];
-    real off_table = cloth->thickness;
+    real off_table = soft_gap(cloth, &s->w.body[0]);
     fold(&s->w, 1.5 * off_table + (kind == FOLD_LETTER ? 0 : 0.1),
          1.5 * 2 * cloth->thickness);
 }
@@ -474,7 +474,7 @@ static void loaded_rope_on_cube(setting *s, const drape *d)
     const shape *rope = add_loaded_rope(s, d->n);
     int b = add_body(s, rope, placement_at(vec3_make(0, 2, 0)));
     if (!s->ok.ok) return;
-    real off = 1.05 * s->w.body[b].thickness;
+    real off = 1.05 * soft_gap(&s->w.body[b], &s->w.body[0]);
     for (int i = 0; i <= d->n; i++) {
         particle *p = &s->w.pool.at[s->w.body[b].first + i];
         real x = fmin(i - CORNER, 0), y = fmin(CORNER - i, 0);

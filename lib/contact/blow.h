@@ -15,12 +15,11 @@
 //<
 
 //> blow-declare
-// After solver_push.  Where two bodies, one more than twice as heavy as the
-// other, still close faster than a load makes them, beyond their gap, the least
-// impulses are given that stop them, and all that these make close faster than
-// material_slowest.  What bounces is left to restitution_solve.
-// Energy only falls.  As many points take part as a body has colours; the passes
-// have the rest.
+// After solver_push.  Where two bodies, one heavier than the other, still close
+// faster than a load makes them, beyond their gap, the least impulses are given
+// that stop them, and all that these make close faster than material_slowest.
+// What bounces is left to restitution_solve.  Energy only falls.  As many points
+// take part as a body has colours; the passes have the rest.
 enum { BLOW_ROWS = COLORS };
 void blow_stop(contact_solver *s, const solver_frame *f, motion *velocity);
 

@@ -200,6 +200,7 @@ static bool closes(const blow *w, block *k, int lane)
 static void add_contact(blow *w, block *k, int lane)
 {
     if (w->rows + k->points > BLOW_ROWS) return;
+    k->in_blow |= 1 << lane;
     for (int j = 0; j < k->points; j++) {
         if (!has_point(k, lane, j)) continue;
         int i = w->rows++;
@@ -211,14 +212,6 @@ static void add_contact(blow *w, block *k, int lane)
             w->part[i] -= w->k[i][n] * w->given[n];
         }
     }
-}
-
-static bool is_in(const blow *w, const block *k, int lane)
-{
-    bool some = false;
-    for (int i = 0; i < w->rows; i++)
-        some |= w->row[i].of == k && w->row[i].lane == lane;
-    return some;
 }
 
 // The body on one side of a contact, if a blow goes on through it; else -1.
@@ -252,7 +245,8 @@ static void spread_from(blow *w, int body)
     for (int x = s->first_of[body]; x >= 0; x = s->next_of[x]) {
         block *k = &s->block[x / (BODIES * REAL4)];
         int lane = x / BODIES % REAL4;
-        if (!is_in(w, k, lane) && closes(w, k, lane)) add_contact(w, k, lane);
+        if (!(k->in_blow >> lane & 1) && closes(w, k, lane))
+            add_contact(w, k, lane);
     }
 }
 
@@ -281,6 +275,7 @@ static void keep_blow(const blow *w)
         real4_set(sum, r->lane, real4_get(sum, r->lane) + w->impulse[i]);
         real4_set(blows, r->lane, real4_get(blows, r->lane) + w->impulse[i]);
         r->of->is_struck = r->of->rubs = true;
+        r->of->in_blow = 0;
     }
 }
 

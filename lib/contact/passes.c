@@ -451,6 +451,7 @@ static void fill_block(void *data, int number)
     const int *list = s->order + first;
     k->rubs = true;
     k->is_struck = false;
+    k->in_blow = 0;
     k->two = s->active[list[0]].sides != ONE_SIDED;
     k->is_driven = s->active[list[0]].sides == DRIVEN_SIDED;
     k->points = s->start[number + 1] - s->start[number];

@@ -145,6 +145,7 @@ typedef struct {
     bool  is_driven;                    // but B is driven
     bool  is_uneven;                    // a heavy body meets a light one
     bool  is_struck;                    // there was a blow
+    int   in_blow;                      // a bit a lane, while it is found
     bool  rubs;                         // friction's impulses may not be 0
     bool  is_stale;                     // rows are those of an older substep
     bool  lies;                         // all that it has lies, with its gaps

@@ -49,7 +49,6 @@ define ORDER
 13/passes
 13/passes_wide
 13/solver
-13/blow
 14/broad
 14/pairs
 14/grid
@@ -57,6 +56,7 @@ define ORDER
 15/collide
 15/cast
 15/restitution
+15/blow
 16/placed
 16/separation
 16/obstacle

@@ -667,7 +667,7 @@ static inline real4 leave_impacts(const block *k, const solver_pass *q, real4 sp
 }
 //<
 
-//> passes-strikes
+//> passes-closing
 //>   Where a heavy body strikes a light one, how fast do they close when the pass
 //>   is over ([`blow`](lib-blow.md))? Slower ones the
 //>   warm start bears soon.

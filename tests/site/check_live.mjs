@@ -319,9 +319,11 @@ async function checkTouch(file) {
 
 // Numbers of what is drawn: the first of them that the eye can touch at a place.
 const find = (figure, least, most) => figure.evaluate((node, [least, most]) => {
-  const { left, top, width, height } = node.querySelector('.live-stage canvas').getBoundingClientRect();
+  const canvas = node.querySelector('.live-stage canvas');
+  const { left, top, width, height } = canvas.getBoundingClientRect();
   for (let y = top; y < top + height; y += 4)
     for (let x = left; x < left + width; x += 4) {
+      if (document.elementFromPoint(x, y) !== canvas) continue;     // a button is before it
       const number = node.live.drawing.pick({ clientX: x, clientY: y });
       if (number >= least && number < most) return { x, y };
     }

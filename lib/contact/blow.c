@@ -264,8 +264,8 @@ static bool spread(blow *w)
 //<
 
 //> blow
-//>   While the substep lasts, the blow is part of the impulses: friction and
-//>   whoever hears contacts ask for all of it.
+//>   While the substep lasts, the blow is part of the impulses: friction, and
+//>   what hears contacts, ask for all of it.
 static void keep_blow(const blow *w)
 {
     for (int i = 0; i < w->rows; i++) {

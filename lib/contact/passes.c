@@ -279,7 +279,7 @@ static bool all_lies(const contact_solver *s, const block *k,
 // that makes it strikes.  (Of bodies that are alike a pass takes most of a blow.)
 static void find_uneven(block *k)
 {
-    k->uneven = real4_all(0);
+    k->uneven = k->closing = real4_all(0);
     k->is_uneven = false;
     for (int l = 0; l < REAL4 && k->two && !k->is_driven; l++) {
         real a = real4_get(&k->inverse_a, l), b = real4_get(&k->inverse_b, l);

@@ -49,6 +49,7 @@ define ORDER
 13/passes
 13/passes_wide
 13/solver
+14/aabb_tree
 14/broad
 14/pairs
 14/grid

@@ -1,5 +1,5 @@
 // crowd.c - balls fly about in a plane: which of them are compared, on one axis
-// and in lanes? (chapter 14)
+// and by a tree? (chapter 14)
 
 #include "broad.h"
 #include "live.h"
@@ -8,26 +8,26 @@
 #include <string.h>
 
 enum { ROOM, BALLS, RADIUS, SPEED };            // dials
-enum { EVERY, AXIS, LANES, FOUND };             // lines of the chart
+enum { EVERY, AXIS, TREE, FOUND };             // lines of the chart
 enum { MOST = 1000, PAIRS = 100000 };
 static const vec3 HALF[] = { { 2.5, 1.4, 0 }, { 2.5, 0.15, 0 }, { 0.2, 1.4, 0 } };  // m
 
-typedef enum { ALONE, ON_AXIS, IN_LANE, TOUCHES } relation;     // to the watched ball
+typedef enum { ALONE, ON_AXIS, IN_LEAF, TOUCHES } relation;     // to the watched ball
 
-static broad sorted;
+static broad state;
 static sphere ball[MOST];
 static vec3 velocity[MOST];
 static char moves[MOST];
 static relation to_watched[MOST];
 static int pair[PAIRS][2], plain[PAIRS][2];
-static int balls, found, listed, by_axis, by_lane, frame;
+static int balls, found, listed, by_axis, by_tree, frame;
 static bool is_equal;
 
 static void begin(void)
 {
     unsigned long long seed = 5;
     vec3 half = HALF[live_choice(ROOM)];
-    broad_free(&sorted);
+    broad_free(&state);
     memset(ball, 0, sizeof ball);       // also those that are no more
     balls = (int)live_dial(BALLS);
     for (int i = 0; i < balls; i++) {
@@ -40,7 +40,7 @@ static void begin(void)
     ball[0].center = vec3_make(0.1, 0.05, 0);
     velocity[0] = vec3_scale(0.3, velocity[0]);
     frame = 0;
-    if (!broad_grow(&sorted, balls).ok) balls = 0;
+    if (!broad_grow(&state, balls).ok) balls = 0;
 }
 
 // --- Frames -----------------------------------------------------------------------
@@ -81,24 +81,31 @@ static void count_axis(void)
             }
 }
 
-// In lanes: as the library's walk goes, place by place.
-static void count_lanes(void)
+// By the tree: balls of leaves whose boxes meet.
+static void compare_leaves(int one, int two)
 {
-    by_lane = 0;
-    for (int l = 0; l < sorted.lanes[0] * sorted.lanes[1]; l++)
-        for (int i = sorted.lane[l]; i < sorted.lane[l + 1]; i++)
-            for (int k = i + 1; k < sorted.lane[l + 1]; k++) {
-                if (sorted.start[k] > sorted.line[i].center.x + sorted.line[i].radius) break;
-                by_lane++;
-                relate(sorted.who[i], sorted.who[k], IN_LANE);
-            }
+    const aabb_tree *t = &state.tree;
+    for (int i = one * A_LEAF; i < aabb_tree_end(t, one); i++)
+        for (int k = one == two ? i + 1 : two * A_LEAF; k < aabb_tree_end(t, two); k++) {
+            by_tree++;
+            relate(t->number[i], t->number[k], IN_LEAF);
+        }
+}
+
+static void count_tree(void)
+{
+    const aabb_tree *t = &state.tree;
+    by_tree = 0;
+    for (int i = 0; i < t->leaves; i++)
+        for (int k = i; k < t->leaves; k++)
+            if (aabbs_meet(&t->node[t->leaves + i], &t->node[t->leaves + k])) compare_leaves(i, k);
 }
 
 static void step(void)
 {
     fly();
     frame++;
-    found = broad_pairs(&sorted, ball, moves, pair, PAIRS);
+    found = broad_pairs(&state, ball, moves, pair, PAIRS);
     listed = int_min(found, PAIRS);     // what has no room is only counted
 }
 
@@ -108,14 +115,14 @@ static void measure(void)
     is_equal = all == found && memcmp(pair, plain, (size_t)listed * sizeof *pair) == 0;
     memset(to_watched, 0, sizeof to_watched);
     count_axis();
-    count_lanes();
+    count_tree();
     for (int k = 0; k < listed; k++) relate(pair[k][0], pair[k][1], TOUCHES);
     live_value(0, EVERY, balls * (balls - 1) / 2);
     live_value(0, AXIS, by_axis);
-    live_value(0, LANES, by_lane);
+    live_value(0, TREE, by_tree);
     live_value(0, FOUND, found);
-    live_say("%d lane%s. The sorted search and the one that compares every pair find %s.",
-             sorted.lanes[0], sorted.lanes[0] == 1 ? "" : "s", is_equal ? "the same pairs" : "different pairs");
+    live_say("%d leaves. The tree and the search that compares every pair find %s.", state.tree.leaves,
+             is_equal ? "the same pairs" : "different pairs");
 }
 
 static void move(int number, vec3 to)
@@ -135,17 +142,15 @@ static void draw_box(live_colour c, real left, real low, real right, real high)
     live_band(c, (vec3[]){ { left, low, 0 }, { right, low, 0 }, { right, high, 0 }, { left, high, 0 } }, 4);
 }
 
-// The lanes, side by side along y, in which the watched ball stands.
-static void draw_lanes(void)
+// The box of the watched ball's leaf, and those of the leaves that it meets.
+static void draw_leaves(void)
 {
-    real low = HUGE_VAL, high = -HUGE_VAL;
-    if (!sorted.lane || sorted.lanes[0] <= 1) return;
-    for (int i = 0; i < balls; i++) {
-        low = real_min(low, ball[i].center.y - ball[i].radius);
-        high = real_max(high, ball[i].center.y + ball[i].radius);
-    }
-    real lane = (high - low) / sorted.lanes[0];
-    draw_box(LIVE_ORANGE, -WIDE, low + sorted.reach[0][0].first * lane, WIDE, low + (sorted.reach[0][0].last + 1) * lane);
+    const aabb_tree *t = &state.tree;
+    if (balls == 0 || t->things == 0) return;
+    const aabb *own = &t->node[t->leaves + state.place[0] / A_LEAF];
+    for (const aabb *b = t->node + t->leaves; b < t->node + 2 * t->leaves; b++)
+        if (b->low.x <= b->high.x && aabbs_meet(b, own))
+            draw_box(LIVE_ORANGE, b->low.x, b->low.y, b->high.x, b->high.y);
 }
 
 // What a ball is to an axis: its shadow on it.
@@ -159,7 +164,7 @@ static void draw(void)
 {
     vec3 x = ball[0].center;
     real r = ball[0].radius;
-    draw_lanes();
+    draw_leaves();
     draw_box(LIVE_BLUE, x.x - r, FLOOR, x.x + r, HIGH);
     live_line(LIVE_RULE, (vec3[]){ { -WIDE, FLOOR, 0 }, { WIDE, FLOOR, 0 } }, 2);
     live_label(LIVE_QUIET, vec3_make(-WIDE, FLOOR - 0.12, 0), "x");
@@ -190,6 +195,6 @@ const live_figure figure = {
         [RADIUS] = { "radius", "m", 0.02, 0.2, 0.01, 0.04, NULL, true },
         [SPEED] = { "speed", "m/s", 0, 5, 0.1, 0.5, NULL, false },
     },
-    .chart = { { "comparisons a frame", NULL, { "every pair", "one axis", "lanes", "pairs found" }, 10, 10000, true, false, NULL } },
+    .chart = { { "comparisons a frame", NULL, { "every pair", "one axis", "the tree", "pairs found" }, 10, 10000, true, false, NULL } },
     .begin = begin, .step = step, .measure = measure, .draw = draw, .hash = hash, .move = move,
 };

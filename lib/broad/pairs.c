@@ -128,7 +128,6 @@ static void list_all(pair_list *l, const pair_query *q, int *lost)
     *lost = n - l->count;
     list_walls(l, q, lost);
     settle(l, q);
-    if (l->bodies > 0) broad_plant(&l->broad, l->listed);
     l->is_due = false;
 }
 

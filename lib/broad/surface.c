@@ -5,22 +5,8 @@
 
 #include <math.h>
 #include <stddef.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-
-static const surface_box NOTHING = { { HUGE_VAL, HUGE_VAL, HUGE_VAL },
-                                     { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL } };
-
-
-static surface_box around(surface_box a, surface_box b)
-{
-    return (surface_box){
-        { real_min(a.low.x, b.low.x), real_min(a.low.y, b.low.y),
-          real_min(a.low.z, b.low.z) },
-        { real_max(a.high.x, b.high.x), real_max(a.high.y, b.high.y),
-          real_max(a.high.z, b.high.z) } };
-}
 
 // On one axis, from when to when do they overlap, of a way of that length?
 static void overlap(real low, real high, real way, real from, real to,
@@ -37,9 +23,9 @@ static void overlap(real low, real high, real way, real from, real to,
 }
 
 // The share of the way after which q's box meets b; HUGE_VAL: never.
-static real way_to(const surface_query *q, const surface_box *b)
+static real way_to(const surface_query *q, const aabb *b)
 {
-    const surface_box *t = &q->thing;
+    const aabb *t = &q->thing;
     real begin = 0, end = 1;
     overlap(b->low.x, b->high.x, q->way.x, t->low.x, t->high.x, &begin, &end);
     overlap(b->low.y, b->high.y, q->way.y, t->low.y, t->high.y, &begin, &end);
@@ -53,16 +39,16 @@ static real apart(real low, real high, real from, real to)
     return real_max(real_max(low - to, from - high), 0);
 }
 
-static real distance_to(const surface_query *q, const surface_box *b)
+static real distance_to(const surface_query *q, const aabb *b)
 {
-    const surface_box *t = &q->thing;
+    const aabb *t = &q->thing;
     return vec3_length((vec3){
         apart(b->low.x, b->high.x, t->low.x, t->high.x),
         apart(b->low.y, b->high.y, t->low.y, t->high.y),
         apart(b->low.z, b->high.z, t->low.z, t->high.z) });
 }
 
-static real reaches(const surface_query *q, const surface_box *b)
+static real reaches(const surface_query *q, const aabb *b)
 {
     return q->by_distance ? distance_to(q, b) : way_to(q, b);
 }
@@ -97,19 +83,17 @@ void surface_prism(const surface *s, int triangle, vec3 at[PRISM_CORNERS])
 }
 
 // A little larger, by what rounding may take away.
-static surface_box box_of(const surface *s, int triangle)
+static aabb box_of(const surface *s, int triangle)
 {
     vec3 at[PRISM_CORNERS];
-    surface_box b = NOTHING;
+    aabb b = aabb_empty();
     real size = 0;
     surface_prism(s, triangle, at);
     for (int k = 0; k < PRISM_CORNERS; k++) {
-        b = around(b, (surface_box){ at[k], at[k] });
+        b = aabb_join(b, (aabb){ at[k], at[k] });
         size = real_max(size, vec3_length_squared(at[k]));
     }
-    real wider = 0x1p-40 * sqrt(size);
-    vec3 more = { wider, wider, wider };
-    return (surface_box){ vec3_sub(b.low, more), vec3_add(b.high, more) };
+    return aabb_wider(b, 0x1p-40 * sqrt(size));
 }
 
 static const real THIN = 1e-6;
@@ -231,125 +215,34 @@ real surface_entry_below(const surface *s, int triangle, vec3 from, vec3 to,
 }
 //<
 
-//> surface-order
-//>   Triangles are sorted along a curve that visits what is near soon: Morton's,
-//>   whose place is that of three coordinates with their bits shuffled.
-typedef struct {
-    uint64_t along;
-    int triangle;
-} place;
-
-enum { BITS = 21 };     // of each coordinate
-
-static uint64_t shuffled(real x, surface_box all, real low)
-{
-    vec3 size = vec3_sub(all.high, all.low);
-    real cells = 1 << BITS, widest = real_max(size.x, real_max(size.y, size.z));
-    real in = cells * ((x - low) / widest);
-    uint64_t n = in >= cells ? (1 << BITS) - 1 : in > 0 ? (uint64_t)in : 0;
-    n = (n | n << 32) & 0x1f00000000ffff;
-    n = (n | n << 16) & 0x1f0000ff0000ff;
-    n = (n | n << 8)  & 0x100f00f00f00f00f;
-    n = (n | n << 4)  & 0x10c30c30c30c30c3;
-    return (n | n << 2) & 0x1249249249249249;
-}
-
-static uint64_t along_curve(vec3 x, surface_box all)
-{
-    return shuffled(x.x, all, all.low.x) | shuffled(x.y, all, all.low.y) << 1
-         | shuffled(x.z, all, all.low.z) << 2;
-}
-
-static int by_place(const void *p, const void *q)
-{
-    const place *a = p, *b = q;
-    if (a->along != b->along) return a->along < b->along ? -1 : 1;
-    return a->triangle < b->triangle ? -1 : 1;
-}
-
-static bool sort_prisms(surface *s)
-{
-    place *all = malloc((size_t)s->prisms * sizeof *all);
-    surface_box whole = NOTHING;
-    if (!all) return false;
-    for (int k = 0; k < s->points; k++)
-        whole = around(whole, (surface_box){ s->point[k], s->point[k] });
-    for (int k = 0; k < s->prisms; k++) {
-        int t = s->order[k];
-        all[k] = (place){ along_curve(middle_of(s, s->triangle[t]), whole), t };
-    }
-    qsort(all, (size_t)s->prisms, sizeof *all, by_place);
-    for (int k = 0; k < s->prisms; k++) s->order[k] = all[k].triangle;
-    free(all);
-    return true;
-}
-//<
-
-//> surface-tree
-//>   A few neighbours along the curve are a leaf, and two boxes are in each box
-//>   above.
-enum { FEW = 4 };       // tuned, prisms: in a leaf
-
-static int leaf_end(const surface *s, int leaf)
-{
-    int end = (leaf + 1) * FEW;
-    return end < s->prisms ? end : s->prisms;
-}
-
-static bool make_tree(surface *s)
-{
-    s->leaves = 1;
-    while (s->leaves < 1 << 28 && s->leaves * FEW < s->prisms) s->leaves *= 2;
-    s->box = malloc(2 * (size_t)s->leaves * sizeof *s->box);
-    if (!s->box) return false;
-    s->box[0] = NOTHING;
-    for (int leaf = 0; leaf < s->leaves; leaf++) {
-        surface_box *b = &s->box[s->leaves + leaf];
-        *b = NOTHING;
-        for (int k = leaf * FEW; k < leaf_end(s, leaf); k++)
-            *b = around(*b, box_of(s, s->order[k]));
-    }
-    for (int k = s->leaves - 1; k > 0; k--)
-        s->box[k] = around(s->box[2 * k], s->box[2 * k + 1]);
-    return true;
-}
-
-surface_box surface_around(const surface *s)
-{
-    return s->box[1];
-}
-//<
-
 //> surface-ask
 //>   The nearer of two boxes is asked first, so that what it holds may leave out
 //>   the other.
-static void ask_leaf(const surface *s, surface_query *q, int leaf)
+static void ask_leaf(surface_query *q, const aabb_tree *t, int leaf)
 {
-    for (int k = leaf * FEW; k < leaf_end(s, leaf); k++) {
-        surface_box b = q->is_rough ? NOTHING : box_of(s, s->order[k]);
-        if (q->is_rough || reaches(q, &b) <= q->most)
-            q->most = q->meets(q->context, s->order[k]);
-    }
+    for (int k = leaf * A_LEAF; k < aabb_tree_end(t, leaf); k++)
+        if (reaches(q, &t->around[k]) <= q->most)
+            q->most = q->meets(q->context, t->number[k]);
 }
 
 // Box k, which begins there.  It calls itself no deeper than an int has bits.
-static void ask_box(const surface *s, surface_query *q, int k, real begins)
+static void ask_boxes(surface_query *q, const aabb_tree *t, int k, real begins)
 {
     if (!(begins <= q->most)) return;
-    if (k >= s->leaves) {
-        ask_leaf(s, q, k - s->leaves);
+    if (k >= t->leaves) {
+        ask_leaf(q, t, k - t->leaves);
         return;
     }
-    real one = reaches(q, &s->box[2 * k]);
-    real other = reaches(q, &s->box[2 * k + 1]);
+    real one = reaches(q, &t->node[2 * k]);
+    real other = reaches(q, &t->node[2 * k + 1]);
     bool is_one_first = one <= other;
-    ask_box(s, q, 2 * k + !is_one_first, is_one_first ? one : other);
-    ask_box(s, q, 2 * k + is_one_first, is_one_first ? other : one);
+    ask_boxes(q, t, 2 * k + !is_one_first, is_one_first ? one : other);
+    ask_boxes(q, t, 2 * k + is_one_first, is_one_first ? other : one);
 }
 
 void surface_ask(const surface *s, surface_query *q)
 {
-    ask_box(s, q, 1, reaches(q, &s->box[1]));
+    ask_boxes(q, &s->prisms, 1, reaches(q, &s->prisms.node[1]));
 }
 //<
 
@@ -370,18 +263,15 @@ static real see_behind(void *context, int triangle)
 {
     look_behind *l = context;
     const int *v = l->s->triangle[triangle];
-    surface_box b = NOTHING;
+    aabb b = aabb_empty();
     for (int i = 0; i < 3; i++) {
         vec3 x = l->s->point[v[i]];
-        b = around(b, (surface_box){ x, x });
+        b = aabb_join(b, (aabb){ x, x });
     }
     for (int k = 0; k < LOOKS && triangle != l->triangle; k++) {
         vec3 from = l->from[k], to = vec3_add(from, l->way);
-        surface_box w = around((surface_box){ from, from },
-                               (surface_box){ to, to });
-        if (w.low.x > b.high.x || w.high.x < b.low.x || w.low.y > b.high.y
-            || w.high.y < b.low.y || w.low.z > b.high.z || w.high.z < b.low.z)
-            continue;
+        aabb w = aabb_join((aabb){ from, from }, (aabb){ to, to });
+        if (!aabbs_meet(&w, &b)) continue;
         real in = surface_entry(l->s, triangle, from, to);
         real out = 1 - surface_entry(l->s, triangle, to, from);
         if (in <= 1) l->share = real_min(l->share, in);
@@ -397,15 +287,15 @@ static real depth_of(const surface *s, int triangle)
     vec3 middle = middle_of(s, v), n = vec3_unit(normal_of(s, v));
     look_behind l = { s, triangle, { { 0, 0, 0 } },
                       vec3_scale(-2 * s->thickness, n), 1 };
-    surface_query q = { .thing = NOTHING, .is_rough = true, .most = 1,
-                        .meets = see_behind, .context = &l };
+    surface_query q = { .thing = aabb_empty(), .most = 1, .meets = see_behind,
+                        .context = &l };
     for (int k = 0; k < LOOKS; k++) {
         vec3 x = middle;
         if (k < 3) x = vec3_scale(0.5, vec3_add(x, s->point[v[k]]));
         l.from[k] = vec3_add_scaled(x, -1e-6, l.way);
         vec3 to = vec3_add(l.from[k], l.way);
-        q.thing = around(q.thing, (surface_box){ l.from[k], l.from[k] });
-        q.thing = around(q.thing, (surface_box){ to, to });
+        q.thing = aabb_join(q.thing, (aabb){ l.from[k], l.from[k] });
+        q.thing = aabb_join(q.thing, (aabb){ to, to });
     }
     surface_ask(s, &q);
     real thinnest = real_max(0.01 * s->thickness,
@@ -413,16 +303,20 @@ static real depth_of(const surface *s, int triangle)
     return real_min(real_max(s->thickness * l.share, thinnest), s->thickness);
 }
 
-// (All are as deep as can be while the tree is made, and while it is asked.)
+// All are as deep as can be while the tree is asked, and have their boxes then.
 static bool find_depths(surface *s)
 {
+    aabb_tree *t = &s->prisms;
     real *deep = malloc((size_t)s->triangles * sizeof *deep);
     if (!deep) return false;
-    memcpy(deep, s->deep, (size_t)s->triangles * sizeof *deep);
-    for (int k = 0; k < s->prisms; k++)
-        deep[s->order[k]] = depth_of(s, s->order[k]);
-    free(s->deep);
-    s->deep = deep;
+    for (int k = 0; k < t->things; k++)
+        deep[t->number[k]] = depth_of(s, t->number[k]);
+    for (int k = 0; k < t->things; k++)
+        s->deep[t->number[k]] = deep[t->number[k]];
+    for (int k = 0; k < t->things; k++)
+        t->around[k] = box_of(s, t->number[k]);
+    free(deep);
+    aabb_tree_build(t);
     return true;
 }
 //<
@@ -489,9 +383,10 @@ static status list_prisms(surface *s)
         if (height == 0) continue;
         status done = check_place(s, k, sides, height);
         if (!done.ok) return done;
-        s->order[s->prisms++] = k;
+        s->prisms.around[s->prisms.things] = box_of(s, k);
+        s->prisms.number[s->prisms.things++] = k;
     }
-    if (s->prisms > 0) return status_ok();
+    if (s->prisms.things > 0) return status_ok();
     return status_fail("no triangle of a surface has an area");
 }
 //<
@@ -500,12 +395,17 @@ static status list_prisms(surface *s)
 //>   So what is there is good.
 static bool copy(surface *s, const vec3 *point, const int (*triangle)[3])
 {
+    aabb_tree *t = &s->prisms;
     size_t points = (size_t)s->points, triangles = (size_t)s->triangles;
     s->point = malloc(points * sizeof *s->point);
     s->triangle = malloc(triangles * sizeof *s->triangle);
-    s->order = malloc(triangles * sizeof *s->order);
+    t->around = malloc(triangles * sizeof *t->around);
+    t->number = malloc(triangles * sizeof *t->number);
+    t->node = malloc(2 * (size_t)aabb_tree_leaves(s->triangles)
+                     * sizeof *t->node);
     s->deep = malloc(triangles * sizeof *s->deep);
-    if (!s->point || !s->triangle || !s->order || !s->deep) return false;
+    if (!s->point || !s->triangle || !s->deep || !t->around || !t->number
+        || !t->node) return false;
     for (size_t k = 0; k < triangles; k++) s->deep[k] = s->thickness;
     memcpy(s->point, point, points * sizeof *point);
     memcpy(s->triangle, triangle, triangles * sizeof *triangle);
@@ -522,8 +422,8 @@ status surface_make(surface *s, const vec3 *point, int points,
     if (done.ok) done = check_numbers(point, points, triangle, triangles);
     if (done.ok && !copy(s, point, triangle)) done = status_out_of_memory();
     if (done.ok) done = list_prisms(s);
-    if (done.ok && (!sort_prisms(s) || !make_tree(s)
-                    || (thickness > 0 && !find_depths(s))))
+    if (done.ok) aabb_tree_build(&s->prisms);
+    if (done.ok && thickness > 0 && !find_depths(s))
         done = status_out_of_memory();
     if (!done.ok) surface_free(s);
     return done;
@@ -533,9 +433,10 @@ void surface_free(surface *s)
 {
     free(s->point);
     free(s->triangle);
-    free(s->order);
     free(s->deep);
-    free(s->box);
+    free(s->prisms.around);
+    free(s->prisms.number);
+    free(s->prisms.node);
     *s = (surface){ .points = 0 };
 }
 //<

@@ -10,11 +10,8 @@
 #ifndef TUMBLE_SURFACE_H
 #define TUMBLE_SURFACE_H
 
+#include "aabb_tree.h"
 #include "scene.h"
-
-typedef struct {
-    vec3 low, high;     // m
-} surface_box;
 
 // Each triangle is the top of a prism.  From each of its corners an edge goes
 // down, by `down`; or, if that is zero, it ends in a triangle half as large, which
@@ -28,10 +25,7 @@ typedef struct {
     real thickness;     // m, at most, if `down` is zero
     real *deep;         // [triangles] m, then: no more than half of the way to
                         // what is behind, but at least a hundredth of that
-    int *order;         // [prisms] triangles that have an area, as they lie
-    int  prisms;        // along a curve through space
-    int  leaves;        // a power of two; each has a few of them
-    surface_box *box;   // [2 leaves] 1: around all; 2k and 2k + 1 are in k
+    aabb_tree prisms;    // of triangles that have an area
 } surface;
 //<
 
@@ -39,10 +33,9 @@ typedef struct {
 // What is asked: which prisms may a box meet that goes straight by way?  Or, if
 // by_distance, which are no further from it than most (m)?
 typedef struct {
-    surface_box thing;
+    aabb  thing;
     vec3 way;           // m
     bool by_distance;
-    bool is_rough;      // neighbours of those may be called for, too
     real most;          // of the way (0 to 1), or m
     // Called with a triangle whose prism may be met; returns what `most` is from
     // now on.
@@ -87,9 +80,5 @@ status surface_shape(const surface *s, int triangle, shape *made,
 
 // Calls q->meets for all triangles asked for, the nearer boxes first.
 void   surface_ask(const surface *s, surface_query *q);
-
-// Around all of it.
-surface_box surface_around(const surface *s);
-
 #endif
 //<

@@ -75,14 +75,8 @@ typedef struct {
     sphere ball;
     vec3 way;           // m
     real beside;        // m, how far any of it gets out of the ball beside that
-    surface_box reach;  // around all that
+    aabb reach;  // around all that
 } presence;
-
-static surface_box box_around(vec3 x, real radius)
-{
-    vec3 r = { radius, radius, radius };
-    return (surface_box){ vec3_sub(x, r), vec3_add(x, r) };
-}
 
 // m, how far a rope or cloth may get out of its ball.
 static real soft_beside(const world *w, const body *x)
@@ -100,8 +94,8 @@ static presence presence_of(const world *w, int b)
     const body *x = &w->body[b];
     presence it = { .body = b, .ball = world_ball(w, b), .way = ahead->way };
     it.beside = body_is_soft(x) ? soft_beside(w, x) : ahead->turn;
-    it.reach = box_around(it.ball.center, it.ball.radius + it.beside
-                                          + vec3_length(it.way));
+    it.reach = aabb_wider((aabb){ it.ball.center, it.ball.center },
+                         it.ball.radius + it.beside + vec3_length(it.way));
     return it;
 }
 
@@ -135,12 +129,6 @@ static real surround_prism(void *context, int triangle)
     if (m->piece[triangle] >= 0)
         m->of[m->piece[triangle]].used = m->clearings;
     return 1;
-}
-
-static bool is_apart(surface_box a, surface_box b)
-{
-    return a.low.x > b.high.x || a.high.x < b.low.x || a.low.y > b.high.y
-        || a.high.y < b.low.y || a.low.z > b.high.z || a.high.z < b.low.z;
 }
 
 // The place of body b among those that were seen; if it is not, where it belongs.
@@ -193,13 +181,14 @@ static void surround_body(surrounding *s, const presence *it)
     real far = vec3_length(it->way), radius = it->ball.radius;
     real reach = far + it->beside;
     bool is_fast = far > radius;
-    if (is_apart(surface_around(&m->surface), it->reach)
+    if (!aabbs_meet(&m->surface.prisms.node[1], &it->reach)
         || !is_awaited(&s->w->world, it->body, x->piece[0].number)) return;
     sphere *seen = seen_of(s->w, m, it->body);
     if (!seen || is_within(it->ball.center, radius + reach, *seen)) return;
     radius = WIDER * radius + 2 * (is_fast ? it->beside : reach);
-    surface_query q = { .thing = box_around(it->ball.center, radius),
-                        .most = 1, .meets = surround_prism, .context = s };
+    aabb at = { it->ball.center, it->ball.center };
+    surface_query q = { .thing = aabb_wider(at, radius), .most = 1,
+                        .meets = surround_prism, .context = s };
     if (is_fast) q.way = it->way;
     s->lost = false;
     surface_ask(&m->surface, &q);
@@ -311,14 +300,6 @@ static real enter_prism(void *context, int triangle)
     return 1;
 }
 
-static surface_box box_along(vec3 x, vec3 y)
-{
-    return (surface_box){ { real_min(x.x, y.x), real_min(x.y, y.y),
-                            real_min(x.z, y.z) },
-                          { real_max(x.x, y.x), real_max(x.y, y.y),
-                            real_max(x.z, y.z) } };
-}
-
 static bool enters(void *surroundings, int b, vec3 from, vec3 to, plane *side)
 {
     const tumble_world *w = surroundings;
@@ -326,10 +307,11 @@ static bool enters(void *surroundings, int b, vec3 from, vec3 to, plane *side)
                   .below = HUGE_VAL };
     for (int k = w->first_mesh; k > 0; k = inside_next_mesh(w, k)) {
         const body_place *x = slots_at(&w->bodies, k - 1);
-        surface_query q = { .thing = box_along(from, to), .most = 1,
+        surface_query q = { .thing = aabb_join((aabb){ from, from },
+                                              (aabb){ to, to }), .most = 1,
                             .meets = enter_prism, .context = &p };
         p.surface = &x->mesh->surface;
-        if (is_apart(surface_around(p.surface), q.thing)
+        if (!aabbs_meet(&p.surface->prisms.node[1], &q.thing)
             || !is_awaited(&w->world, b, x->piece[0].number)) continue;
         surface_ask(p.surface, &q);
     }
@@ -353,7 +335,7 @@ static tumble_body add(tumble_world *w, body_mesh *m, tumble_body_options o)
 {
     shape made;
     vec3 center;
-    int first = m->surface.order[0];
+    int first = m->surface.prisms.number[0];
     status done = surface_shape(&m->surface, first, &made, &center);
     tumble_shape s = inside_keep(w, &made, done);
     o.kind = TUMBLE_STATIC;

@@ -28,12 +28,12 @@ void shape_store(shape *x, store *s)
 #define SAVED(table, kept, room) STORE_TABLE(s, x->table, kept, room);
 #define ROOM(table, kept, room) STORE_ROOM(s, x->table, room);
 
-// Of its tables only the order outlives a call.
+// The tree is planted again.
 static void broad_store(broad *x, store *s)
 {
-    BROAD_TABLES(SAVED, ROOM, x, x->room)
-    STORE_FORGET(s, x->in_tree);
-    STORE_FORGET(s, x->leaves);
+    BROAD_TABLES(ROOM, x, x->room)
+    STORE_FORGET(s, x->tree.things);
+    STORE_FORGET(s, x->tree.leaves);
 }
 
 static void pair_list_store(pair_list *x, store *s)

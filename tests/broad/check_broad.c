@@ -1,4 +1,4 @@
-// check_broad.c - are the sorted pairs those of every pair, whatever comes?
+// check_broad.c - are the pairs of the tree those of every pair, whatever comes?
 // Book: chapter 14.
 
 #include <check.h>
@@ -70,9 +70,8 @@ static void tear_down(void)
     broad_free(&s);
 }
 
-// Where most pairs of a scene meet, or there is no room for them, sorting is
-// given up.  So that few bodies are sorted, too, there are `crowd` others after
-// them, which overlap them along x and meet nobody.
+// There are `crowd` others after them, which overlap them along x and meet nobody:
+// so there are more leaves than one.
 static void begin_among(int n, int crowd)
 {
     begin(n + crowd);
@@ -270,14 +269,13 @@ START_TEST(large_scenes_agree)
 }
 END_TEST
 
-// Rejects: an order of equal ends that is left open; a sort of pairs that is
-// lost among very many.
+// Rejects: a division of what lies in one place that never ends; a sort of pairs
+// that is lost among very many.
 START_TEST(all_in_one_place_meet_all)
 {
     begin(MANY);
     for (int b = 0; b < MANY; b++) ball[b] = (sphere){ { 1, 2, 3 }, 0 };
     ck_assert_int_eq(agreed(MOST_PAIRS), MOST_PAIRS);
-    for (int b = 0; b < MANY; b++) ck_assert_int_eq(s.order[b], b);
 }
 END_TEST
 
@@ -323,18 +321,18 @@ END_TEST
 
 // --- who moves ---------------------------------------------------------------
 
-// Rejects: pairs of two that stand still; work for those who sleep.
+// Rejects: pairs of two that stand still.
 START_TEST(nobody_moves_nobody_meets)
 {
     begin(50);
     for (int b = 0; b < 50; b++) ball[b] = (sphere){ { -b, 0, 0 }, 1 };
     memset(moves, 0, sizeof moves);
     ck_assert_int_eq(agreed(MOST_PAIRS), 0);
-    for (int b = 0; b < 50; b++) ck_assert_int_eq(s.order[b], b);
 }
 END_TEST
 
-// Rejects: a sweep that starts from movers only, and loses who is left of them.
+// Rejects: a search that starts from movers only, and loses those that it finds
+// twice.
 START_TEST(one_that_moves_meets_those_that_do_not)
 {
     begin(50);
@@ -478,10 +476,8 @@ static void fly(sphere *velocity, real side)
         }
 }
 
-// In a room of 300 there stand 35 a metre along x, and a body passes another by
-// up to 0.17 m in a frame: one or two of them.
-// Rejects: an order that is forgotten; a line that is not brought up to date.
-START_TEST(moving_scene_agrees_in_every_frame_and_is_nearly_sorted)
+// Rejects: a tree that is not brought up to date.
+START_TEST(moving_scene_agrees_in_every_frame)
 {
     static sphere velocity[300];
     begin_room(300);
@@ -489,38 +485,52 @@ START_TEST(moving_scene_agrees_in_every_frame_and_is_nearly_sorted)
         velocity[b] = any_ball(10, 0);
         for (int k = 0; k < 3; k++) *part(&velocity[b], k) -= 5;
     }
-    agreed(MOST_PAIRS);
-    ck_assert_int_gt((int)s.shifts, 9600);
     for (int frame = 0; frame < FRAMES; frame++) {
         fly(velocity, cbrt(0.317 * 300 / 0.15));
         ball[frame % 300].radius = frame % 7 ? 0.5 : -1;
         moves[frame / 2] = !moves[frame / 2];
         agreed(MOST_PAIRS);
-        // Who becomes empty goes to the end of the line, past all.
-        ck_assert_int_lt((int)s.shifts, 3 * 300);
     }
-    agreed(MOST_PAIRS);
-    ck_assert_int_eq((int)s.shifts, 0);
 }
 END_TEST
 
-// Insertion alone would need two million moves.
-// Rejects: an insertion sort without end; one that gives up half sorted.
-START_TEST(line_that_turns_round_is_sorted_quickly)
+static bool is_listed(int n, int a, int b)
 {
-    begin(MANY);
-    for (int turn = 0; turn < 4; turn++) {
-        for (int b = 0; b < MANY; b++)
-            ball[b] = (sphere){ { turn % 2 ? -b : b, 0, 0 }, 0.5 };
-        ck_assert_int_eq(agreed(MOST_PAIRS), MANY - 1);
-        ck_assert_int_lt((int)s.shifts, turn ? (32 + 32) * MANY : 1);
-        for (int k = 1; k < MANY; k++)
-            ck_assert(s.low[s.order[k - 1]] <= s.low[s.order[k]]);
+    for (int k = 0; k < n; k++)
+        if (found[k][0] == int_min(a, b) && found[k][1] == int_max(a, b))
+            return true;
+    return false;
+}
+
+// One ball after the other is put elsewhere, and one in ten becomes empty.
+// Rejects: boxes above a leaf that do not grow with it; a new ball that does not
+// find room, or is found where it was; a pair that two of those list.
+START_TEST(ball_that_is_put_elsewhere_has_its_own_pairs)
+{
+    static bool is_asked[400];
+    memset(is_asked, 0, sizeof is_asked);
+    begin_room(400);
+    for (int b = 390; b < 400; b++) ball[b] = EMPTY;
+    agreed(MOST_PAIRS);
+    for (int k = 0; k < 400; k++) {
+        int b = (k * 7 + 390) % 400;
+        ball[b] = any_ball(cbrt(0.317 * 400 / 0.15), 0.5);
+        if (k % 10 == 5) ball[b] = EMPTY;
+        ck_assert(broad_put(&s, ball, b));
+        int n = broad_near(&s, ball, moves, is_asked, b, found, MOST_PAIRS, 0);
+        int all = broad_pairs_all(ball, moves, bodies, wanted, MOST_PAIRS);
+        int own = 0;
+        for (int i = 0; i < all; i++) {
+            if (wanted[i][0] != b && wanted[i][1] != b) continue;
+            ck_assert(is_listed(n, wanted[i][0], wanted[i][1]));
+            own++;
+        }
+        ck_assert_int_eq(n, own);
     }
 }
 END_TEST
 
-// Rejects: an answer, or an order, that remembers where bodies were.
+// Rejects: an answer, or a tree, that remembers where bodies were.
 START_TEST(history_leaves_no_trace)
 {
     static int order[500];
@@ -537,50 +547,64 @@ START_TEST(history_leaves_no_trace)
         ball[9].center.y = (real)NAN;
         memset(moves, 1, sizeof moves);
         agreed(MOST_PAIRS);
-        if (history == 0) memcpy(order, s.order, sizeof order);
-        ck_assert(memcmp(order, s.order, sizeof order) == 0);
+        size_t bytes = (size_t)s.tree.things * sizeof *order;
+        if (history == 0) memcpy(order, s.tree.number, bytes);
+        ck_assert(memcmp(order, s.tree.number, bytes) == 0);
     }
 }
 END_TEST
 
-// --- lanes -------------------------------------------------------------------
+// --- what is spared ----------------------------------------------------------
 
-// How many comparisons a sweep makes, a body.
+// How many balls each is compared with: those of leaves whose boxes meet.
 static real compared(void)
 {
+    const aabb *leaf = s.tree.node + s.tree.leaves;
     long tests = 0;
-    for (int l = 0; l < s.lanes[0] * s.lanes[1]; l++)
-        for (int i = s.lane[l]; i < s.lane[l + 1]; i++)
-            for (int j = i + 1; j < s.lane[l + 1]
-                                && s.start[j] <= s.high[s.who[i]]; j++) tests++;
-    return (real)tests / bodies;
+    for (int i = 0; i < s.tree.leaves; i++)
+        for (int k = i; k < s.tree.leaves; k++)
+            tests += aabbs_meet(&leaf[i], &leaf[k]);
+    return (real)tests * A_LEAF * A_LEAF / bodies;
 }
 
-// One line would make about 118 comparisons a body in the room, and 350 in the
-// tower; lanes of two widths see 4 widths squared of the room's 27 x 27.
-// Rejects: lanes along one axis only, or along x; lanes so narrow
-// that everybody stands in many.
-START_TEST(lanes_spare_comparisons_and_lose_nobody)
+// Of 700 or 2,000, a few dozen, whatever shape the scene has: a leaf meets its
+// neighbours.
+// Rejects: a tree whose leaves hold what is not near; one that a single ball, far
+// away, leaves without its divisions.
+START_TEST(scene_of_any_shape_spares_comparisons)
 {
-    begin_room(LARGE);
-    agreed(MOST_PAIRS);
-    ck_assert(s.lanes[0] > 3 && s.lanes[1] > 3);
-    ck_assert(s.places < 3 * LARGE && compared() < 20);
-    for (int b = 0; b < LARGE; b++)
-        ball[b].center = vec3_make(anywhere(0.1), b * 0.9, 0);
-    agreed(MOST_PAIRS);
-    ck_assert(s.lanes[0] > LARGE / 9 && s.lanes[1] == 1 && compared() < 20);
+    for (int kind = 0; kind < 4; kind++) {
+        begin_room(LARGE);
+        for (int b = 0; b < LARGE; b++) {
+            if (kind == 1) ball[b].center = vec3_make(anywhere(0.1), b * 0.9, 0);
+            if (kind == 2) ball[b].center.z = anywhere(0.1) + b / 100;
+        }
+        if (kind == 3) ball[7].center.y = -1e9;
+        agreed(MOST_PAIRS);
+        ck_assert(compared() < 80);
+    }
 }
 END_TEST
 
-// Pairs that touch along y or z as well as rounding lets them, a few metres and
-// 100,000 km from the origin.
-// Rejects: lanes that one of two that touch just does not reach into.
-START_TEST(rounded_lanes_lose_nobody)
+// Rejects: large balls that take all with them into their leaves.
+START_TEST(few_large_balls_leave_the_others_alone)
 {
-    for (int round = 0; round < 8; round++) {
-        int axis = 1 + round % 2, touching = 0;
-        real far = round / 2 % 2 ? 0x1p27 : 0;
+    begin(LARGE);
+    for (int b = 0; b < LARGE; b++)
+        ball[b] = any_ball(400, b % 100 == 7 ? 50 : 0.5);
+    ck_assert_int_gt(agreed(MOST_PAIRS), LARGE / 20);
+    ck_assert(compared() < 80);
+}
+END_TEST
+
+// Pairs that touch along an axis as well as rounding lets them, a few metres and
+// 100,000 km from the origin.
+// Rejects: boxes that one of two that touch just does not reach into.
+START_TEST(rounded_boxes_lose_nobody)
+{
+    for (int round = 0; round < 12; round++) {
+        int axis = round % 3, touching = 0;
+        real far = round / 3 % 2 ? 0x1p27 : 0;
         begin(LARGE);
         for (int b = 0; b < LARGE; b += 2) {
             ball[b] = ball[b + 1] = any_ball(200, 0);
@@ -591,23 +615,8 @@ START_TEST(rounded_lanes_lose_nobody)
                                       + (ball[b].radius + ball[b + 1].radius);
         }
         touching = agreed(MOST_PAIRS);
-        ck_assert(s.lanes[axis - 1] > 9);
         ck_assert_int_gt(touching, LARGE / 5);
     }
-}
-END_TEST
-
-// In lanes as wide as most balls, each of the large ones would stand in 400.
-// Rejects: more places than there is room for; pairs of large balls, which have
-// many lanes in common, that are listed again and again.
-START_TEST(few_large_balls_leave_room_for_all)
-{
-    begin(LARGE);
-    for (int b = 0; b < LARGE; b++)
-        ball[b] = any_ball(400, b % 100 == 7 ? 50 : 0.5);
-    ck_assert_int_gt(agreed(MOST_PAIRS), LARGE / 20);
-    ck_assert_int_le(s.places, LANES_A_BODY * LARGE);
-    ck_assert_int_gt(s.lanes[0], 1);
 }
 END_TEST
 
@@ -628,12 +637,10 @@ START_TEST(refused_memory_leaves_nothing)
         long after = blocks_held;
         ck_assert_int_eq(after, before);
         if (!ok) ck_assert_str_eq(done.why, "out of memory");
-        ck_assert(!t.bodies && !t.order && !t.low && !t.high && !t.first);
-        ck_assert(!t.start && !t.line && !t.mover);
-        ck_assert(!t.reach && !t.lane && !t.who);
-        ck_assert(!t.key && !t.tree && !t.place && !t.box);
+        ck_assert(!t.bodies && !t.place && !t.first && !t.next);
+        ck_assert(!t.tree.around && !t.tree.number && !t.tree.node);
     }
-    ck_assert_int_eq(n, 15);
+    ck_assert_int_eq(n, 7);
     broad_free(&t);
 }
 END_TEST
@@ -671,12 +678,12 @@ int main(void)
         infinitely_far_ball_meets_only_its_like,
         largest_numbers_are_numbers,
         too_little_room_keeps_the_first_pairs,
-        moving_scene_agrees_in_every_frame_and_is_nearly_sorted,
-        line_that_turns_round_is_sorted_quickly,
+        moving_scene_agrees_in_every_frame,
+        ball_that_is_put_elsewhere_has_its_own_pairs,
         history_leaves_no_trace,
-        lanes_spare_comparisons_and_lose_nobody,
-        rounded_lanes_lose_nobody,
-        few_large_balls_leave_room_for_all,
+        scene_of_any_shape_spares_comparisons,
+        few_large_balls_leave_the_others_alone,
+        rounded_boxes_lose_nobody,
         refused_memory_leaves_nothing,
         query_asks_for_no_memory,
         NULL

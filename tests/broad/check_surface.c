@@ -174,7 +174,7 @@ START_TEST(the_share_of_the_way_is_where_it_enters)
     real in = (0.3 + 1.0 / 12) / 0.5;
     ck_assert(fabs(surface_entry_below(&one, 0, from, to, &side) - in) < 1e-12);
     ck_assert(fabs(side.normal.y / side.normal.x - 1 / 0.6) < 1e-12);
-    surface_box all = surface_around(&one);
+    aabb all = one.prisms.node[1];
     ck_assert(fabs(all.low.y + 0.1) < 1e-9 && fabs(all.high.x - 1) < 1e-9);
     surface_free(&one);
 }
@@ -257,7 +257,7 @@ static void is_refused(int points, int faces, vec3 down, real thickness,
     surface bad;
     status done = surface_make(&bad, point, points, (const int (*)[3])triangle,
                                faces, down, thickness);
-    ck_assert(!done.ok && bad.points == 0 && !bad.box);
+    ck_assert(!done.ok && bad.points == 0 && !bad.prisms.node);
     ck_assert_msg(strstr(done.why, why) != NULL, "%s", done.why);
 }
 
@@ -285,8 +285,8 @@ START_TEST(triangles_without_an_area_are_left_out)
         if (k != 7) triangle[k][1] = triangle[k][0];
     ck_assert(surface_make(&few, point, POINTS, (const int (*)[3])triangle,
                            triangles, vec3_make(0, 0, 0), 0.1).ok);
-    ck_assert_int_eq(few.prisms, 1);
-    ck_assert_int_eq(few.order[0], 7);
+    ck_assert_int_eq(few.prisms.things, 1);
+    ck_assert_int_eq(few.prisms.number[0], 7);
     surface_free(&few);
 }
 END_TEST

@@ -1,0 +1,81 @@
+//> aabb-tree-head
+//>   A box is six numbers, and a tree of boxes is two arrays: the things, and
+//>   the boxes around them.
+// aabb_tree.h - boxes around things, and boxes around boxes: what is near, without
+// a look at each.
+//
+// Paper: section 4.3 has spheres (chapter 06).  Book: chapter 14.
+// Units: metres.
+
+#ifndef TUMBLE_AABB_TREE_H
+#define TUMBLE_AABB_TREE_H
+
+#include "vec3.h"
+
+// Sides are along the axes.  One whose low is beyond its high is empty.
+typedef struct {
+    vec3 low, high;     // m
+} aabb;
+
+static inline aabb aabb_join(aabb a, aabb b)
+{
+    return (aabb){
+        { real_min(a.low.x, b.low.x), real_min(a.low.y, b.low.y),
+          real_min(a.low.z, b.low.z) },
+        { real_max(a.high.x, b.high.x), real_max(a.high.y, b.high.y),
+          real_max(a.high.z, b.high.z) } };
+}
+
+static inline bool aabbs_meet(const aabb *a, const aabb *b)
+{
+    return a->low.x <= b->high.x && b->low.x <= a->high.x
+        && a->low.y <= b->high.y && b->low.y <= a->high.y
+        && a->low.z <= b->high.z && b->low.z <= a->high.z;
+}
+
+// By so much (m) on every side.
+static inline aabb aabb_wider(aabb a, real by)
+{
+    vec3 out = { by, by, by };
+    return (aabb){ vec3_sub(a.low, out), vec3_add(a.high, out) };
+}
+
+static inline aabb aabb_empty(void)
+{
+    return (aabb){ { HUGE_VAL, HUGE_VAL, HUGE_VAL },
+                  { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL } };
+}
+
+// In a leaf.  The fewer, the fewer things are compared, and the more memory the
+// boxes take.
+enum { A_LEAF = 4 };                        // tuned, things
+
+// All leaves are equally deep: leaf k, whose box is leaves + k, has the things
+// from A_LEAF k on, and all but the last have A_LEAF of them.
+typedef struct {
+    aabb *around;       // [things] at most A_LEAF * leaves
+    int *number;        // [things] the owner's names for them
+    int  things;
+    aabb *node;         // [2 leaves] 1: around all; 2k and 2k + 1 are in k
+    int  leaves;        // a power of two
+} aabb_tree;
+//<
+
+//> aabb-tree-declare
+// So many leaves has a tree of so many things, at most 2^30.
+int aabb_tree_leaves(int things);
+
+// Makes the tree of t->things things, which stand in any order, and moves them to
+// their leaves; t->node has room for it.
+void aabb_tree_build(aabb_tree *t);
+
+// The box around thing k is another one; or it has come, at the end.
+void aabb_tree_put(aabb_tree *t, int k);
+
+static inline int aabb_tree_end(const aabb_tree *t, int leaf)
+{
+    return int_min((leaf + 1) * A_LEAF, t->things);
+}
+
+#endif
+//<

@@ -11,6 +11,7 @@
 #ifndef TUMBLE_BLOW_H
 #define TUMBLE_BLOW_H
 
+#include "impact.h"
 #include "solver.h"
 //<
 
@@ -18,9 +19,8 @@
 // After solver_push.  Where two bodies, one heavier than the other, still close
 // faster than a load makes them, beyond their gap, the least impulses are given
 // that stop them, and all that these make close faster than material_slowest.
-// What bounces is left to restitution_solve.  Energy only falls.  As many points
-// take part as a body has colours; the passes have the rest.
-enum { BLOW_ROWS = COLORS };
+// What bounces is left to restitution_solve.  Energy only falls.  IMPACT_ROWS
+// points take part at most; the passes have the rest.
 void blow_stop(contact_solver *s, const solver_frame *f, motion *velocity);
 
 // After solver_relax, and when contacts have been heard: what a blow gave does

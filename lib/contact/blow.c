@@ -16,7 +16,7 @@ typedef struct {
     } at[IMPACT_ROWS];          // whose row it is
 } blow;
 
-static impact_row row_of(const block *k, int lane, int j)
+static impact_row point_row(const block *k, int lane, int j)
 {
     const block_point *p = &k->point[j];
     impact_row r = { .body = { k->a[lane], k->two ? k->b[lane] : -1 } };
@@ -53,7 +53,7 @@ static bool closes(const blow *w, block *k, int lane)
     bool some = false;
     if (real4_get(&k->strikes, lane) > 1) return false;     // it will bounce
     for (int j = 0; j < k->points && !some && !k->is_stale; j++) {
-        impact_row r = row_of(k, lane, j);
+        impact_row r = point_row(k, lane, j);
         some = has_point(k, lane, j)
             && parts(w, k, lane, j, &r) < -w->slowest;
     }
@@ -67,7 +67,7 @@ static void add_contact(blow *w, block *k, int lane)
     for (int j = 0; j < k->points; j++) {
         if (!has_point(k, lane, j)) continue;
         int i = w->set.rows;
-        impact_row r = row_of(k, lane, j);
+        impact_row r = point_row(k, lane, j);
         w->at[i].of = k;
         w->at[i].lane = lane;
         w->at[i].point = j;

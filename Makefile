@@ -56,6 +56,7 @@ define ORDER
 15/swept
 15/collide
 15/cast
+15/impact
 15/restitution
 15/blow
 16/placed

@@ -1,180 +1,43 @@
 //> blow-rows
-//>   A blow has the rows of all points that it goes through, and K, whose element
-//>   i, j says how fast a unit impulse along row j parts the points of row i.
+//>   A blow has the rows of all points that it goes through ([`impact`
+//>   ](lib-impact.md)).
 #include "blow.h"
 
-enum { A, B, BODIES };
-
-typedef struct {
-    block *of;                  // whose point it is
-    int  lane, point;
-    int  body[BODIES];          // B < 0: it does not move
-    bool yields[BODIES];
-    vec3 normal;
-    real turn[BODIES][TURNS], inverse[BODIES];
-    real least;                 // m/s, at which an open gap just closes
-} blow_row;
+enum { A = IMPACT_A, B = IMPACT_B, BODIES = IMPACT_SIDES };
 
 typedef struct {
     contact_solver *s;
     motion *velocity;
     real per_h, slowest;        // 1/s, m/s
-    int  rows, count, good;     // of the set, so many are factored
-    blow_row row[BLOW_ROWS];
-    real part[BLOW_ROWS];       // m/s, how it parts beyond least without a blow
-    real impulse[BLOW_ROWS], given[BLOW_ROWS];      // N s
-    int  set[BLOW_ROWS];        // the rows that push
-    real k[BLOW_ROWS][BLOW_ROWS], l[BLOW_ROWS][BLOW_ROWS];
-    real d[BLOW_ROWS], y[BLOW_ROWS], stop[BLOW_ROWS];
+    impact_set set;
+    struct {
+        block *of;
+        int lane, point;
+    } at[IMPACT_ROWS];          // whose row it is
 } blow;
 
-static blow_row row_of(const blow *w, block *k, int lane, int j)
+static impact_row point_row(const block *k, int lane, int j)
 {
     const block_point *p = &k->point[j];
-    blow_row r = { .of = k, .lane = lane, .point = j };
-    r.normal = vec3_make(real4_get(&k->normal[0], lane),
-                         real4_get(&k->normal[1], lane),
-                         real4_get(&k->normal[2], lane));
-    r.body[A] = k->a[lane];
-    r.body[B] = k->two ? k->b[lane] : -1;
-    r.yields[A] = true;
-    r.yields[B] = k->two && !k->is_driven;
+    impact_row r = { .body = { k->a[lane], k->two ? k->b[lane] : -1 } };
+    r.along = vec3_make(real4_get(&k->normal[0], lane),
+                        real4_get(&k->normal[1], lane),
+                        real4_get(&k->normal[2], lane));
     r.inverse[A] = real4_get(&k->inverse_a, lane);
-    r.inverse[B] = r.yields[B] ? real4_get(&k->inverse_b, lane) : 0;
+    r.inverse[B] = k->is_driven ? 0 : real4_get(&k->inverse_b, lane);
     for (int t = 0; t < TURNS; t++) {
         r.turn[A][t] = real4_get(&p->turn_a[t], lane);
         r.turn[B][t] = k->two ? real4_get(&p->turn_b[t], lane) : 0;
     }
-    r.least = -w->per_h * real_max(real4_get(&p->now, lane), 0);
     return r;
 }
 
-static real row_parts(const blow_row *r, const motion *velocity)
+// Beyond its gap.
+static real parts(const blow *w, const block *k, int lane, int j,
+                  const impact_row *r)
 {
-    real sum = -r->least;
-    for (int side = A; side < BODIES && r->body[side] >= 0; side++) {
-        const real *u = velocity[r->body[side]].of;
-        real x = r->normal.x * u[0] + r->normal.y * u[1] + r->normal.z * u[2];
-        for (int t = 0; t < TURNS; t++)
-            x += r->turn[side][t] * u[MOTION_TURN + t];
-        sum += side == A ? x : -x;
-    }
-    return sum;
-}
-
-static void row_push(const blow_row *r, real impulse, motion *velocity)
-{
-    for (int side = A; side < BODIES; side++) {
-        if (!r->yields[side]) continue;
-        real j = side == A ? impulse : -impulse;
-        real straight = j * r->inverse[side];
-        real *u = velocity[r->body[side]].of;
-        u[0] += straight * r->normal.x;
-        u[1] += straight * r->normal.y;
-        u[2] += straight * r->normal.z;
-        for (int t = 0; t < TURNS; t++)
-            u[MOTION_TURN + t] += j * r->turn[side][t];
-    }
-}
-
-static real row_product(const blow_row *r, const blow_row *s)
-{
-    real sum = 0;
-    for (int i = A; i < BODIES; i++)
-        for (int j = A; j < BODIES; j++) {
-            if (!r->yields[i] || r->body[i] != s->body[j]) continue;
-            real x = r->inverse[i] * vec3_dot(r->normal, s->normal);
-            for (int t = 0; t < TURNS; t++)
-                x += r->turn[i][t] * s->turn[j][t];
-            sum += i == j ? x : -x;
-        }
-    return sum;
-}
-//<
-
-//> blow-stop
-//>   Its impulses are found as those of one contact are ([`restitution`
-//>   ](lib-restitution.md)): by the active set of Lawson and Hanson. A row that
-//>   joins the set adds a line to its factors.
-// False if the last row of the set can do nothing that the others cannot.
-static bool factor(blow *w)
-{
-    for (int i = w->good; i < w->count; i++) {
-        const real *row = w->k[w->set[i]];
-        w->d[i] = row[w->set[i]];
-        w->y[i] = -w->part[w->set[i]];
-        for (int j = 0; j < i; j++) {
-            real sum = row[w->set[j]];
-            for (int k = 0; k < j; k++)
-                sum -= w->l[i][k] * w->l[j][k] * w->d[k];
-            w->l[i][j] = sum / w->d[j];
-            w->d[i] -= w->l[i][j] * sum;
-            w->y[i] -= w->l[i][j] * w->y[j];
-        }
-        if (!(w->d[i] > 1e-12 * row[w->set[i]])) return false;
-        w->good = i + 1;
-    }
-    for (int i = w->count - 1; i >= 0; i--) {
-        w->stop[i] = w->y[i] / w->d[i];
-        for (int j = i + 1; j < w->count; j++)
-            w->stop[i] -= w->l[j][i] * w->stop[j];
-    }
-    return true;
-}
-
-// Towards the impulses of the set, until one would pull: that is dropped.
-static bool go_to_set(blow *w)
-{
-    real share = 1;
-    int least = -1, kept = 0;
-    for (int i = 0; i < w->count; i++) {
-        real now = w->impulse[w->set[i]];
-        if (w->stop[i] > 0 || !(now < share * (now - w->stop[i]))) continue;
-        share = now / (now - w->stop[i]);
-        least = i;
-    }
-    for (int i = 0; i < w->count; i++) {
-        real *now = &w->impulse[w->set[i]];
-        *now = i == least ? 0 : *now + share * (w->stop[i] - *now);
-        if (i != least) w->set[kept++] = w->set[i];
-    }
-    w->count = kept;
-    if (least >= 0) w->good = int_min(w->good, least);
-    return least < 0;
-}
-
-// The row that closes fastest, beyond rounding, of those that do not push.
-static int find_closing(const blow *w)
-{
-    real most = 0, fastest = w->slowest;
-    int found = -1;
-    for (int i = 0; i < w->rows; i++) {
-        real closing = -w->part[i];
-        fastest = real_max(closing, fastest);
-        for (int j = 0; j < w->rows; j++)
-            closing -= w->k[i][j] * w->impulse[j];
-        if (w->impulse[i] > 0 || !(closing > most)) continue;
-        most = closing;
-        found = i;
-    }
-    return most > 1e-9 * fastest ? found : -1;
-}
-
-static void stop_rows(blow *w)
-{
-    bool stops = true;
-    for (int n = 0; n < 4 * BLOW_ROWS && stops; n++) {
-        int next = find_closing(w);
-        if (next < 0 || w->count == BLOW_ROWS) break;
-        w->set[w->count++] = next;
-        do stops = factor(w);
-        while (stops && !go_to_set(w));
-        if (!stops) w->count = w->good;
-    }
-    for (int i = 0; i < w->rows; i++) {
-        row_push(&w->row[i], w->impulse[i] - w->given[i], w->velocity);
-        w->given[i] = w->impulse[i];
-    }
+    real gap = real_max(real4_get(&k->point[j].now, lane), 0);
+    return impact_parting(r, w->velocity) + w->per_h * gap;
 }
 //<
 
@@ -190,27 +53,25 @@ static bool closes(const blow *w, block *k, int lane)
     bool some = false;
     if (real4_get(&k->strikes, lane) > 1) return false;     // it will bounce
     for (int j = 0; j < k->points && !some && !k->is_stale; j++) {
-        blow_row r = row_of(w, k, lane, j);
+        impact_row r = point_row(k, lane, j);
         some = has_point(k, lane, j)
-            && row_parts(&r, w->velocity) < -w->slowest;
+            && parts(w, k, lane, j, &r) < -w->slowest;
     }
     return some;
 }
 
 static void add_contact(blow *w, block *k, int lane)
 {
-    if (w->rows + k->points > BLOW_ROWS) return;
+    if (w->set.rows + k->points > IMPACT_ROWS) return;
     k->in_blow |= 1 << lane;
     for (int j = 0; j < k->points; j++) {
         if (!has_point(k, lane, j)) continue;
-        int i = w->rows++;
-        w->row[i] = row_of(w, k, lane, j);
-        w->impulse[i] = w->given[i] = 0;
-        w->part[i] = row_parts(&w->row[i], w->velocity);
-        for (int n = 0; n <= i; n++) {
-            w->k[i][n] = w->k[n][i] = row_product(&w->row[i], &w->row[n]);
-            w->part[i] -= w->k[i][n] * w->given[n];
-        }
+        int i = w->set.rows;
+        impact_row r = point_row(k, lane, j);
+        w->at[i].of = k;
+        w->at[i].lane = lane;
+        w->at[i].point = j;
+        impact_add(&w->set, &r, parts(w, k, lane, j, &r));
     }
 }
 
@@ -252,14 +113,14 @@ static void spread_from(blow *w, int body)
 
 static bool spread(blow *w)
 {
-    int before = w->rows;
+    int before = w->set.rows;
     for (int i = 0; i < before; i++) {
-        const blow_row *r = &w->row[i];
-        if (r->point > 0) continue;
+        const impact_row *r = &w->set.row[i];
+        if (w->at[i].point > 0) continue;
         spread_from(w, r->body[A]);
-        if (r->yields[B]) spread_from(w, r->body[B]);
+        if (r->inverse[B] > 0) spread_from(w, r->body[B]);
     }
-    return w->rows > before;
+    return w->set.rows > before;
 }
 //<
 
@@ -268,14 +129,14 @@ static bool spread(blow *w)
 //>   what hears contacts, ask for all of it.
 static void keep_blow(const blow *w)
 {
-    for (int i = 0; i < w->rows; i++) {
-        const blow_row *r = &w->row[i];
-        real4 *sum = &r->of->point[r->point].impulse;
-        real4 *blows = &r->of->place[r->point].blow;
-        real4_set(sum, r->lane, real4_get(sum, r->lane) + w->impulse[i]);
-        real4_set(blows, r->lane, real4_get(blows, r->lane) + w->impulse[i]);
-        r->of->is_struck = r->of->rubs = true;
-        r->of->in_blow = 0;
+    for (int i = 0; i < w->set.rows; i++) {
+        block *k = w->at[i].of;
+        int lane = w->at[i].lane, j = w->at[i].point;
+        real4 *sum = &k->point[j].impulse, *blows = &k->place[j].blow;
+        real4_set(sum, lane, real4_get(sum, lane) + w->set.impulse[i]);
+        real4_set(blows, lane, real4_get(blows, lane) + w->set.impulse[i]);
+        k->is_struck = k->rubs = true;
+        k->in_blow = 0;
     }
 }
 
@@ -295,10 +156,12 @@ void blow_stop(contact_solver *s, const solver_frame *f, motion *velocity)
             if (!is_listed) list_sides(s);
             is_listed = true;
             if (!closes(&w, k, l)) continue;
-            w.rows = w.count = w.good = 0;
+            impact_begin(&w.set);
             add_contact(&w, k, l);
-            do stop_rows(&w);
-            while (spread(&w));
+            do {
+                impact_stop(&w.set);
+                impact_give(&w.set, velocity);
+            } while (spread(&w));
             keep_blow(&w);
         }
     }

@@ -4,7 +4,6 @@
 #include "restitution.h"
 
 #include <assert.h>
-#include <string.h>
 
 // What all impacts of a substep have in common.
 typedef struct {
@@ -42,7 +41,7 @@ int restitution_solve(const contact *const *table, int n, const solver_frame *f,
 
 //> restitution-strike
 // The two bodies of a contact, A and B; a plane is a body that does not move.
-enum { A, B, BODIES };
+enum { A = IMPACT_A, B = IMPACT_B, BODIES = IMPACT_SIDES };
 
 // What touches so much of a substep too late takes part as well.
 static const real LATER = 0.001;            // tuned, substeps
@@ -52,12 +51,6 @@ typedef struct {
     bool falls[BODIES];
 } impact_pair;
 
-// A row of the Jacobian: how a unit impulse along `along` turns A, and -B.
-typedef struct {
-    vec3 along;
-    real turn[BODIES][TURNS];
-} impact_row;
-
 // What strikes: the points of a contact that touch in this substep.
 typedef struct {
     const contact *found;
@@ -66,9 +59,8 @@ typedef struct {
     contact_arms arm[CONTACT_POINTS];   // of all points of the contact
     motion u[BODIES];           // velocities at the time of the impact
     real time;                  // of the impact, as a share of the substep
-    int  points, point[CONTACT_POINTS];
-    impact_row row[CONTACT_POINTS];
-    real impulse[CONTACT_POINTS];       // N s
+    impact_set set;
+    int  point[CONTACT_POINTS];         // that each row is of
 } impact;
 
 static void begin_impact(impact *x, const impact_solver *s, const contact *c);
@@ -110,7 +102,7 @@ static void settle(const impact_solver *s, int body, const motion *u, real time)
 static real impact_sum(const impact *x)
 {
     real sum = 0;
-    for (int i = 0; i < x->points; i++) sum += x->impulse[i];
+    for (int i = 0; i < x->set.rows; i++) sum += x->set.impulse[i];
     return sum;
 }
 
@@ -125,14 +117,12 @@ static real strike(const impact_solver *s, const contact *c)
     begin_impact(&x, s, c);
     if (!meets_fast(s, &x, slowest)) return 0;
     find_touching(&x, s);
-    vec3 fallen = vec3_scale(f->h, f->gravity);
-    fall(&x.pair, fallen, x.time - 0.5, x.u);
     real speed = closing_speed(&x);
     if (!(speed > slowest)) return 0;
     push_apart(&x, m.restitution);
     if (f->hear) f->hear(f->listener, c, impact_sum(&x));
     rub(&x, m.friction);
-    fall(&x.pair, fallen, 0.5 - x.time, x.u);
+    fall(&x.pair, vec3_scale(f->h, f->gravity), 0.5 - x.time, x.u);
     if (x.pair.falls[A]) settle(s, c->a, &x.u[A], x.time);
     if (x.pair.falls[B]) settle(s, c->b, &x.u[B], x.time);
     return speed;
@@ -170,67 +160,33 @@ static bool meets_fast(const impact_solver *s, impact *x, real slowest)
 //<
 
 //> restitution-row
-//>   An impact as a row: its direction, and what it does to both bodies.
-static void set_turns(impact_row *r, const impact_pair *p, int side,
-                      vec3 moment)
+//>   The two bodies have the numbers A and B in the rows of an impact.
+static impact_row row_about(const impact_pair *p, vec3 along,
+                            const vec3 moment[BODIES])
 {
-    for (int t = 0; t < TURNS; t++)
-        r->turn[side][t] = vec3_dot(p->basis[side]->turn[t], moment);
+    impact_row r = { .along = along, .body = { A, B } };
+    for (int side = A; side < BODIES; side++) {
+        r.inverse[side] = p->falls[side] ? p->basis[side]->inverse_mass : 0;
+        for (int t = 0; t < TURNS; t++)
+            r.turn[side][t] = vec3_dot(p->basis[side]->turn[t], moment[side]);
+    }
+    return r;
 }
 
 static impact_row row_along(const impact_pair *p, vec3 along,
                             const vec3 arm[BODIES])
 {
-    impact_row r = { .along = along };
-    for (int side = A; side < BODIES; side++)
-        set_turns(&r, p, side, vec3_cross(arm[side], along));
-    return r;
-}
-
-// How fast, or how far, A and B part along a row.
-static real row_apart(const impact_row *r, const motion u[BODIES])
-{
-    const real *a = u[A].of, *b = u[B].of;
-    real sum = r->along.x * (a[0] - b[0]) + r->along.y * (a[1] - b[1])
-             + r->along.z * (a[2] - b[2]);
-    for (int t = 0; t < TURNS; t++)
-        sum += r->turn[A][t] * a[MOTION_TURN + t]
-             - r->turn[B][t] * b[MOTION_TURN + t];
-    return sum;
-}
-
-// How fast a unit impulse along one parts them along the other: an element of
-// K = J M^-1 J^T.
-static real row_product(const impact_pair *p, const impact_row *r,
-                        const impact_row *s)
-{
-    real sum = (p->basis[A]->inverse_mass + p->basis[B]->inverse_mass)
-             * vec3_dot(r->along, s->along);
-    for (int t = 0; t < TURNS; t++)
-        sum += r->turn[A][t] * s->turn[A][t] + r->turn[B][t] * s->turn[B][t];
-    return sum;
-}
-
-static void row_push(const impact_pair *p, const impact_row *r, real impulse,
-                     motion u[BODIES])
-{
-    for (int side = A; side < BODIES; side++) {
-        real j = side == A ? impulse : -impulse;
-        real straight = j * p->basis[side]->inverse_mass, *of = u[side].of;
-        of[0] += straight * r->along.x;
-        of[1] += straight * r->along.y;
-        of[2] += straight * r->along.z;
-        for (int t = 0; t < TURNS; t++)
-            of[MOTION_TURN + t] += j * r->turn[side][t];
-    }
+    const vec3 moment[BODIES] = { vec3_cross(arm[A], along),
+                                  vec3_cross(arm[B], along) };
+    return row_about(p, along, moment);
 }
 
 // The fastest that any of the points closes, at the time of the impact.
 static real closing_speed(const impact *x)
 {
     real most = 0;
-    for (int i = 0; i < x->points; i++)
-        most = real_max(-row_apart(&x->row[i], x->u), most);
+    for (int i = 0; i < x->set.rows; i++)
+        most = real_max(-impact_parting(&x->set.row[i], x->u), most);
     return most;
 }
 //<
@@ -252,7 +208,6 @@ static void begin_impact(impact *x, const impact_solver *s, const contact *c)
         x->pair.falls[side] = x->pair.basis[side]->inverse_mass > 0;
     if (f->body[c->a].is_driven) x->pair.falls[A] = false;
     if (c->b >= 0 && f->body[c->b].is_driven) x->pair.falls[B] = false;
-    memset(x->impulse, 0, sizeof x->impulse);
 }
 
 // Where the two bodies are at a time t (a share of the substep).
@@ -345,7 +300,7 @@ static real first_touch(impact *x, const impact_solver *s,
     for (int k = 0; k < x->c.count; k++) {
         const vec3 arm[BODIES] = { x->arm[k].a, x->arm[k].b };
         impact_row row = row_along(p, x->c.normal, arm);
-        real closing = -h * row_apart(&row, x->u);
+        real closing = -h * impact_parting(&row, x->u);
         real began = gap[k] + x->time * closing;
         if (!(closing > 0 && began < (1 + LATER) * closing)) continue;
         least = real_min(least, time_of_touch(began, closing, acceleration));
@@ -361,14 +316,13 @@ static void take_touching(impact *x, const impact_solver *s,
 {
     real gap[CONTACT_POINTS], h = s->f->h;
     find_gaps(x, s, at, gap);
-    x->points = 0;
     for (int k = 0; k < x->c.count; k++) {
         const vec3 arm[BODIES] = { x->arm[k].a, x->arm[k].b };
         impact_row row = row_along(&x->pair, x->c.normal, arm);
-        real closing = -h * row_apart(&row, x->u);
+        real closing = -h * impact_parting(&row, x->u);
         if (!(closing > 0 && gap[k] < LATER * closing)) continue;
-        x->point[x->points] = k;
-        x->row[x->points++] = row;
+        x->point[x->set.rows] = k;
+        impact_add(&x->set, &row, impact_parting(&row, x->u));
     }
 }
 
@@ -385,12 +339,12 @@ static void find_touching(impact *x, const impact_solver *s)
     rigid_frame at[BODIES];
     x->time = 0;
     x->c = *x->found;
+    impact_begin(&x->set);
     for (int n = 0; n < TOUCH_STEPS; n++) {
         stand_at(x, s, x->time, at);
         face_each_other(&x->c, at);
         find_arms(x, at, contact_sides_of);
         real time = first_touch(x, s, at, a);
-        x->points = 0;
         if (!(time < HUGE_VAL)) return;
         bool is_there = fabs(time - x->time) < 1e-9;
         x->time = time;
@@ -399,114 +353,12 @@ static void find_touching(impact *x, const impact_solver *s)
     stand_at(x, s, x->time, at);
     face_each_other(&x->c, at);
     find_arms(x, at, contact_arms_of);
+    fall(p, vec3_scale(h, s->f->gravity), x->time - 0.5, x->u);
     take_touching(x, s, at);
 }
 //<
 
 //> restitution-normal
-// What impulses at the points do: K = J M^-1 J^T; and how fast the points part
-// without any.
-typedef struct {
-    real k[CONTACT_POINTS][CONTACT_POINTS], part[CONTACT_POINTS];
-} impact_matrix;
-
-static impact_matrix matrix_of(const impact *x)
-{
-    impact_matrix m;
-    for (int i = 0; i < x->points; i++) {
-        m.part[i] = row_apart(&x->row[i], x->u);
-        for (int j = 0; j <= i; j++)
-            m.k[i][j] = m.k[j][i] = row_product(&x->pair, &x->row[i],
-                                                &x->row[j]);
-    }
-    return m;
-}
-
-// The points that push, and the impulses (N s) that would just stop them.
-typedef struct {
-    int  count, point[CONTACT_POINTS];
-    real stop[CONTACT_POINTS];
-} active_set;
-
-// K stop = -part for the points of the set, by K = L D L^T.  False if the last
-// of them can do nothing that the others cannot, to rounding.
-static bool stop_set(const impact_matrix *m, active_set *s)
-{
-    real l[CONTACT_POINTS][CONTACT_POINTS], d[CONTACT_POINTS], *z = s->stop;
-    for (int i = 0; i < s->count; i++) {
-        const real *row = m->k[s->point[i]];
-        d[i] = row[s->point[i]];
-        z[i] = -m->part[s->point[i]];
-        for (int j = 0; j < i; j++) {
-            real sum = row[s->point[j]];
-            for (int k = 0; k < j; k++) sum -= l[i][k] * l[j][k] * d[k];
-            l[i][j] = sum / d[j];
-            d[i] -= l[i][j] * sum;
-            z[i] -= l[i][j] * z[j];
-        }
-        if (!(d[i] > 1e-12 * row[s->point[i]])) return false;
-    }
-    for (int i = s->count - 1; i >= 0; i--) {
-        z[i] /= d[i];
-        for (int j = i + 1; j < s->count; j++) z[i] -= l[j][i] * z[j];
-    }
-    return true;
-}
-
-// Goes from the impulses that there are towards those of the set, as far as
-// none of them pulls; one that would is dropped.  True if that was all the way.
-static bool go_to_set(active_set *s, real impulse[CONTACT_POINTS])
-{
-    real share = 1;
-    int least = -1, kept = 0;
-    for (int i = 0; i < s->count; i++) {
-        real now = impulse[s->point[i]];
-        if (s->stop[i] > 0 || !(now < share * (now - s->stop[i]))) continue;
-        share = now / (now - s->stop[i]);
-        least = i;
-    }
-    for (int i = 0; i < s->count; i++) {
-        real *now = &impulse[s->point[i]];
-        *now = i == least ? 0 : *now + share * (s->stop[i] - *now);
-        if (i != least) s->point[kept++] = s->point[i];
-    }
-    s->count = kept;
-    return least < 0;
-}
-
-// The point that closes fastest; -1: none does, to rounding.
-static int find_closing(const impact_matrix *m, int n,
-                        const real impulse[CONTACT_POINTS])
-{
-    real fastest = 0, most = 0;
-    int found = -1;
-    for (int i = 0; i < n; i++) fastest = real_max(-m->part[i], fastest);
-    for (int i = 0; i < n; i++) {
-        real closing = -m->part[i];
-        for (int j = 0; j < n; j++) closing -= m->k[i][j] * impulse[j];
-        if (impulse[i] > 0 || !(closing > most)) continue;
-        most = closing;
-        found = i;
-    }
-    return most > 1e-12 * fastest ? found : -1;
-}
-
-// The least impulses >= 0 that leave no point closing, directly: the active set
-// of Lawson and Hanson.  The point that closes fastest joins it, until none
-// does.  Each set of the at most 2^4 comes once, for the energy falls.
-static void stop_points(impact *x, const impact_matrix *m)
-{
-    enum { SETS = 1 << CONTACT_POINTS };
-    active_set s = { .count = 0 };
-    for (int k = 0; k < SETS; k++) {
-        int next = find_closing(m, x->points, x->impulse);
-        if (next < 0 || s.count == CONTACT_POINTS) return;
-        s.point[s.count++] = next;
-        do if (!stop_set(m, &s)) return;
-        while (!go_to_set(&s, x->impulse));
-    }
-}
-
 // Impulses s lambda change the kinetic energy by
 //     s (lambda . v) + s^2/2 (lambda . K lambda),
 // where v is how the points part.  That is a parabola in s, deepest at
@@ -517,19 +369,17 @@ static void stop_points(impact *x, const impact_matrix *m)
 // lambda parts them at e times the speed at which they met, or faster.
 static void push_apart(impact *x, real restitution)
 {
-    impact_matrix m = matrix_of(x);
+    impact_set *w = &x->set;
     real down = 0, bend = 0;
-    stop_points(x, &m);
-    for (int i = 0; i < x->points; i++) {
-        down -= x->impulse[i] * m.part[i];
-        for (int j = 0; j < x->points; j++)
-            bend += x->impulse[i] * m.k[i][j] * x->impulse[j];
+    impact_stop(w);
+    for (int i = 0; i < w->rows; i++) {
+        down -= w->impulse[i] * w->part[i];
+        for (int j = 0; j < w->rows; j++)
+            bend += w->impulse[i] * w->k[i][j] * w->impulse[j];
     }
     real scale = bend > 0 ? (1 + restitution) * real_max(down / bend, 0) : 0;
-    for (int i = 0; i < x->points; i++) {
-        x->impulse[i] *= scale;
-        row_push(&x->pair, &x->row[i], x->impulse[i], x->u);
-    }
+    for (int i = 0; i < w->rows; i++) w->impulse[i] *= scale;
+    impact_give(w, x->u);
 }
 //<
 
@@ -541,11 +391,11 @@ static real center_of(const impact *x, vec3 arm[BODIES])
 {
     real sum = 0;
     arm[A] = arm[B] = vec3_make(0, 0, 0);
-    for (int i = 0; i < x->points; i++) {
+    for (int i = 0; i < x->set.rows; i++) {
         const contact_arms *q = &x->arm[x->point[i]];
-        sum += x->impulse[i];
-        arm[A] = vec3_add_scaled(arm[A], x->impulse[i], q->a);
-        arm[B] = vec3_add_scaled(arm[B], x->impulse[i], q->b);
+        sum += x->set.impulse[i];
+        arm[A] = vec3_add_scaled(arm[A], x->set.impulse[i], q->a);
+        arm[B] = vec3_add_scaled(arm[B], x->set.impulse[i], q->b);
     }
     for (int side = A; side < BODIES && sum > 0; side++)
         arm[side] = vec3_scale(1 / sum, arm[side]);
@@ -568,28 +418,26 @@ static void stop_sliding(impact *x, const vec3 arm[BODIES], real most)
     vec3 along = vec3_scale(1 / speed, v);
     impact_row r = row_along(p, along, arm);
     impact_row s = row_along(p, vec3_cross(n, along), arm);
-    real rr = row_product(p, &r, &r), rs = row_product(p, &r, &s);
-    real ss = row_product(p, &s, &s), volume = rr * ss - rs * rs;
+    real rr = impact_product(&r, &r), rs = impact_product(&r, &s);
+    real ss = impact_product(&s, &s), volume = rr * ss - rs * rs;
     real f = -ss * speed / volume, g = rs * speed / volume;
     real size = sqrt(f * f + g * g), share = size > most ? most / size : 1;
-    row_push(p, &r, share * f, x->u);
-    row_push(p, &s, share * g, x->u);
+    impact_push(&r, share * f, x->u);
+    impact_push(&s, share * g, x->u);
 }
 
 // The same about the normal.
 static void stop_twisting(impact *x, const vec3 arm[BODIES], real friction)
 {
-    const impact_pair *p = &x->pair;
-    impact_row r = { .along = { 0, 0, 0 } };
+    const vec3 n[BODIES] = { x->c.normal, x->c.normal };
+    impact_row r = row_about(&x->pair, vec3_make(0, 0, 0), n);
     real most = 0;
-    for (int side = A; side < BODIES; side++)
-        set_turns(&r, p, side, x->c.normal);
-    for (int i = 0; i < x->points; i++)
-        most += friction * x->impulse[i]
+    for (int i = 0; i < x->set.rows; i++)
+        most += friction * x->set.impulse[i]
               * vec3_distance(x->arm[x->point[i]].a, arm[A]);
-    real twist = -row_apart(&r, x->u), mass = row_product(p, &r, &r);
+    real twist = -impact_parting(&r, x->u), mass = impact_product(&r, &r);
     if (!(mass > 0)) return;
-    row_push(p, &r, real_max(-most, real_min(twist / mass, most)), x->u);
+    impact_push(&r, real_max(-most, real_min(twist / mass, most)), x->u);
 }
 
 static void rub(impact *x, real friction)

@@ -7,6 +7,7 @@
 #ifndef TUMBLE_RESTITUTION_H
 #define TUMBLE_RESTITUTION_H
 
+#include "impact.h"
 #include "solver.h"
 //<
 

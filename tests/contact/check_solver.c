@@ -755,6 +755,45 @@ START_TEST(tower_carries_its_loads_from_frame_to_frame)
 }
 END_TEST
 
+// How fast a body falls at most (m/s) that is put on a light one which lies, and
+// is so many times as heavy.
+static real falls_at(real ratio)
+{
+    const vec3 sides = { 1, 1, 1 };
+    real most = 0;
+    pile_clear(&one);
+    pile_box(&one, vec3_make(0, 0.5, 0), sides, 1);
+    pile_box(&one, vec3_make(0, 1.5, 0), sides, ratio);
+    stand_on_plane(&one, 0, sides, 0);
+    contact *c = pile_contact(&one, 1, 0, vec3_make(0, 1, 0));
+    for (int j = 0; j < 4; j++) {
+        vec3 low = { j & 1 ? 0.5 : -0.5, -0.5, j & 2 ? 0.5 : -0.5 };
+        pile_point(&one, c, low, vec3_make(low.x, 0.5, low.z), 0);
+    }
+    pile_find(&one);
+    prepare(&one);
+    for (int k = 0; k < 200; k++) {
+        substep(&one, GRAVITY);
+        most = real_max(most, -one.velocity[1].of[1]);
+    }
+    return most;
+}
+
+// In each substep the mass M gets what it has been given, and some m v more, with m
+// that of the light one: so M v'' = -m v / h^2, which is a quarter of a swing.  It
+// ends after about root(M/m) substeps, with root(M/m) g h.  (With two hard passes
+// it is root(M/2m); soft ones bear less.)  Rejects: a warm start that is lost, for
+// which M falls on and on; a blow that is told from a load by one speed.
+START_TEST(mass_on_a_light_one_falls_as_the_root_of_their_ratio)
+{
+    for (real ratio = 1; ratio < 2000; ratio *= 10) {
+        real fastest = falls_at(ratio) / (9.81 * one.frame.h), root = sqrt(ratio);
+        ck_assert_msg(fastest > 0.5 * root && fastest < root,
+                      "%g times: %g g h", ratio, fastest);
+    }
+}
+END_TEST
+
 // Rejects: a correction that throws bodies apart.
 START_TEST(deep_overlap_is_pushed_out_at_most_so_fast)
 {
@@ -889,6 +928,7 @@ int main(void)
         box_slides_if_the_slope_is_beyond_the_cone,
         spinning_box_is_braked_by_its_twist,
         cube_sags_by_what_its_springs_give,
+        mass_on_a_light_one_falls_as_the_root_of_their_ratio,
         tower_carries_its_loads_from_frame_to_frame,
         deep_overlap_is_pushed_out_at_most_so_fast,
         any_order_of_the_work_gives_the_same_bits,

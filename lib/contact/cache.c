@@ -573,8 +573,9 @@ static void query(contact_cache *c, const cache_frame *f, cache_pair *p)
 {
     cache_entry *e = &c->entry[p->entry];
     contact was, *now = &e->contact;
-    if (p->count > 0) was = *now;
-    else was = (contact){ .count = 0 };     // bequeaths nothing
+    bool bequeaths = p->count > 0;
+    if (bequeaths) was = *now;
+    else was.count = 0;
     if (now->piece_b < 0) query_wall(c, f, p, now);
     else                  query_bodies(c, f, p, e);
     p->count = (signed char)now->count;
@@ -583,7 +584,8 @@ static void query(contact_cache *c, const cache_frame *f, cache_pair *p)
     // For seams that find a contact on a floor again.
     if (now->piece_b >= 0 && seams_slider(f, now->piece_a, now->piece_b) >= 0)
         c->was[p->entry] = was;
-    contact_inherit(now, &was);
+    if (bequeaths) contact_inherit(now, &was);
+    else           contact_clear(now);
 }
 //<
 

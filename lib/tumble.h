@@ -711,7 +711,9 @@ typedef struct {
 // Of the last step: writes `most` of them, and returns how many there are.
 int tumble_world_contacts(const tumble_world *w, tumble_contact *out, int most);
 
-// Which began or ended to touch since this was last asked?
+// Which began or ended to touch since this was last asked?  It compares who touches
+// now with who did then: of a ball that has come, bounced and gone in between, as off a
+// bumper, it knows nothing, and tumble_world_impulses does.
 typedef struct {
     tumble_body a, b;
     bool begins;
@@ -730,7 +732,8 @@ int tumble_world_events(tumble_world *w, tumble_event *out, int most);
 // a bounce that began and ended in it as well, which no list of contacts has.
 typedef struct {
     tumble_body a, b;       // b may be tumble_body_ground(), for a plane
-    tumble_vec3 point;      // m, the mean of all that pushed, by its share
+    tumble_vec3 point;      // m, the mean of all that pushed, by its share, where
+                            // it first did in the step
     tumble_vec3 normal;     // unit, from b to a, likewise
     double impulse;         // N s, along the normals
 } tumble_impulse;

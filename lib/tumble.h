@@ -175,8 +175,8 @@ tumble_report tumble_world_last_step(const tumble_world *w);
 
 // How far from right is the world?  From the positions alone, slowly.
 typedef struct {
-    double penetration;     // m, the deepest overlap; that of joined bodies
-                            // counts, too, though they may overlap
+    double penetration;     // m, the deepest overlap of two that meet: of joined
+                            // bodies only if they may touch
     double strain;          // the largest |length - rest| / rest of a stick
     double kinetic, potential;          // J, of half a substep ago, as
                                         // momenta; potential: 0 at the origin
@@ -376,6 +376,12 @@ tumble_body tumble_body_add_heights(tumble_world *w, const double *height,
 // The id that stands for the world itself: what is joined to it is joined to the
 // world, and in answers all planes have it.
 tumble_body tumble_body_ground(void);
+
+// Do the two ids stand for the same body?
+static inline bool tumble_body_is_same(tumble_body a, tumble_body b)
+{
+    return a.place == b.place && a.generation == b.generation;
+}
 
 // Takes a body away, with its joints; what lay on it wakes.
 bool tumble_body_remove(tumble_world *w, tumble_body b);
@@ -601,7 +607,8 @@ bool tumble_joint_set_spring(tumble_world *w, tumble_joint j, double rest,
 bool tumble_joint_set_servo(tumble_world *w, tumble_joint j, double place,
                             double hertz, double ratio, double force);
 
-// N: a joint that has to bear more breaks, and is gone; 0: it never does.
+// N: a joint that has to bear more breaks, and is gone; 0: it never does.  Cloth and
+// rope themselves do not tear, but what they hang on by may.
 bool tumble_joint_set_strength(tumble_world *w, tumble_joint j, double force);
 
 // May the two bodies of a joint push each other, as if they were not joined?  A new
@@ -708,10 +715,14 @@ typedef struct {
     double force[TUMBLE_POINTS];    // N, along the normal, in the last substep
 } tumble_contact;
 
-// Of the last step: writes `most` of them, and returns how many there are.
+// Those that pushed each other in the last substep of the last step: writes `most` of
+// them, and returns how many there are.  What was stopped earlier in the step, as
+// what runs into a wall is, only tumble_world_impulses has.
 int tumble_world_contacts(const tumble_world *w, tumble_contact *out, int most);
 
-// Which began or ended to touch since this was last asked?
+// Which began or ended to touch since this was last asked?  It compares who touches
+// now with who did then: of a ball that has come, bounced and gone in between, as off a
+// bumper, it knows nothing, and tumble_world_impulses does.
 typedef struct {
     tumble_body a, b;
     bool begins;
@@ -730,7 +741,8 @@ int tumble_world_events(tumble_world *w, tumble_event *out, int most);
 // a bounce that began and ended in it as well, which no list of contacts has.
 typedef struct {
     tumble_body a, b;       // b may be tumble_body_ground(), for a plane
-    tumble_vec3 point;      // m, the mean of all that pushed, by its share
+    tumble_vec3 point;      // m, the mean of all that pushed, by its share, where
+                            // it first did in the step
     tumble_vec3 normal;     // unit, from b to a, likewise
     double impulse;         // N s, along the normals
 } tumble_impulse;

@@ -87,15 +87,16 @@ size_t store_end(store *s)
 static status check_head(const char *from, size_t size, const char *version)
 {
     head h, wanted = head_of(version);
+    unsigned long long given = size;    // Windows knows no %zu
     if (size >= sizeof h) memcpy(&h, from, sizeof h);
     if (size < sizeof h || h.magic != MAGIC)
-        return status_fail("these %zu bytes are no saved world", size);
+        return status_fail("these %llu bytes are no saved world", given);
     if (memcmp(h.version, wanted.version, sizeof h.version) != 0)
         return status_fail("the world was saved by another version of the "
                            "library than %s", version);
     if (h.bytes != size)
-        return status_fail("a saved world of %llu bytes has %zu",
-                           (unsigned long long)h.bytes, size);
+        return status_fail("a saved world of %llu bytes has %llu",
+                           (unsigned long long)h.bytes, given);
     if (h.sum != sum_of(from + sizeof h, size - sizeof h))
         return status_fail("the saved world was altered: its checksum is "
                            "another one");

@@ -1,6 +1,6 @@
 //> face-hear
-//>   What was written down in a step is many lines of each pair, one for a substep or
-//>   an impact. They are sorted, and those of a pair added.
+//>   What was written down in a step is a line for each contact and each impact. They
+//>   are sorted, and those of a pair added. What has not pushed is left out.
 #include "inside.h"
 
 #include <stdlib.h>
@@ -56,12 +56,14 @@ static tumble_impulse added_up(const tumble_impulse *x, int n)
 
 int tumble_world_impulses(const tumble_world *w, tumble_impulse *out, int most)
 {
-    int n = 0, count = w ? w->world.rigid.hears : 0;
-    if (count == 0) return 0;
-    tumble_impulse *list = malloc((size_t)count * sizeof *list);
+    int n = 0, count = 0, lines = w ? w->world.rigid.hears : 0;
+    if (lines == 0) return 0;
+    tumble_impulse *list = malloc((size_t)lines * sizeof *list);
     if (!list) return 0;
-    for (int k = 0; k < count; k++)
-        list[k] = impulse_of(w, &w->world.rigid.heard[k]);
+    for (int k = 0; k < lines; k++) {
+        const heard_impulse *h = &w->world.rigid.heard[k];
+        if (h->impulse > 0) list[count++] = impulse_of(w, h);
+    }
     qsort(list, (size_t)count, sizeof *list, by_pair);
     for (int k = 0, end; k < count; k = end) {
         for (end = k + 1; end < count; end++)

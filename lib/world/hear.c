@@ -1,6 +1,7 @@
 //> hear-write
-//>   Every blow is one more line of a table. A substep's is what its contacts gave in
-//>   it; those that were done again are not there.
+//>   A contact has a line of a table, to which each substep adds what it gave; those
+//>   that were done again do not. Where it was is asked once, for that costs more than
+//>   the sum. Every impact is one more line.
 #include "hear.h"
 #include "table.h"
 
@@ -29,13 +30,39 @@ static void write(world *w, const contact *c, real impulse)
                                             c->normal, impulse };
 }
 
+// A line for each contact of the rung, in their order.  If there is no memory, none
+// is written.
+static bool begin_lines(world *w)
+{
+    rigid_tables *t = &w->rigid;
+    int from = t->hears;
+    for (int k = t->solver.first; k < t->solver.end; k++) {
+        const contact *c = t->cache.active[k];
+        if (!TABLE_ADD(t->heard, t->hears, t->heard_room)) {
+            t->hears = from;
+            return false;
+        }
+        t->heard[t->hears++] = (heard_impulse){ .a = c->a, .b = c->b };
+    }
+    t->heard_from = from;
+    return true;
+}
+
 void hear_contacts(world *w)
 {
     rigid_tables *t = &w->rigid;
     solver_store(&t->solver, w->options.host.run, t->cache.active);
-    for (int k = t->solver.first; k < t->solver.end; k++) {
+    if (t->heard_from < 0 && !begin_lines(w)) return;
+    heard_impulse *line = t->heard + t->heard_from;
+    for (int k = t->solver.first; k < t->solver.end; k++, line++) {
         const contact *c = t->cache.active[k];
-        write(w, c, contact_load(c));
+        real load = contact_load(c);
+        if (!(load > 0) || c->count == 0) continue;
+        if (line->impulse == 0) {
+            line->point = heard_at(w, c);
+            line->normal = c->normal;
+        }
+        line->impulse += load;
     }
 }
 
@@ -48,6 +75,7 @@ void hear_impacts(world *w, solver_frame *f)
 {
     f->hear = hear_impact;
     f->listener = w;
+    w->rigid.heard_from = -1;
 }
 //<
 

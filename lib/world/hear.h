@@ -10,10 +10,10 @@
 
 #include "world.h"
 
-// The impacts of a rung are written, too, from now on.
+// A rung begins: its impacts are written from now on.
 void hear_impacts(world *w, solver_frame *f);
 
-// A substep is over: what the contacts of its rung gave in it.
+// A substep is over: what the contacts of its rung gave in it is added up.
 void hear_contacts(world *w);
 
 // Of the contacts of this part of a frame, those stay that options.host.meets says.

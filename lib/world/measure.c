@@ -102,6 +102,20 @@ static void measure_points(const world *w, const sight *s, int soft, int rigid,
     }
 }
 
+// Bodies of a joint overlap where they are joined.
+static bool may_overlap(const world *w, int a, int b)
+{
+    a = body_whole(&w->body[a], a);
+    b = body_whole(&w->body[b], b);
+    for (int k = 0; k < w->joints.count; k++) {
+        const joint *j = &w->joints.joint[k];
+        bool is_it = (j->a == a && j->b == b) || (j->a == b && j->b == a);
+        if (is_it && j->kind != JOINT_NONE && !j->is_broken && !j->may_touch)
+            return true;
+    }
+    return false;
+}
+
 static void measure_pair(const world *w, const sight *s, int a, int b,
                          measures *m)
 {
@@ -109,9 +123,10 @@ static void measure_pair(const world *w, const sight *s, int a, int b,
     sphere p = s->ball[a], q = s->ball[b];
     real near = p.radius + q.radius;
     if (body_is_fixed(x) && body_is_fixed(y)) return;
-    if (body_meets_none(x) || body_meets_none(y)) return;
+    if (!body_meets(x, y)) return;
     if (x->rides && x->rides == y->rides) return;
     if (vec3_length_squared(vec3_sub(p.center, q.center)) > near * near) return;
+    if (may_overlap(w, a, b)) return;
     if (!body_is_soft(x) && !body_is_soft(y)) measure_rigid_pair(w, s, a, b, m);
     if (body_is_soft(x) && !body_is_soft(y))  measure_points(w, s, a, b, m);
     if (!body_is_soft(x) && body_is_soft(y))  measure_points(w, s, b, a, m);

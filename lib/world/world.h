@@ -141,7 +141,7 @@ typedef struct {
     vec3 force, torque; // N, N m
 } body_load;
 
-// What a contact gave at once, or in a substep.
+// What a contact gave at once, or in a frame, where it first did.
 typedef struct {
     int  a, b;          // as a contact has them
     vec3 point, normal;
@@ -254,6 +254,8 @@ typedef struct {
     bool         listens;   // what contacts give is written down:
     heard_impulse *heard;   // [hears] in the last frame
     int          hears, heard_room;
+    int          heard_from;            // where contacts of this rung begin in
+                                        // it; < 0: they have no lines yet
 } rigid_tables;
 
 // All that have a place for each body, but for `body`: what a saved world keeps of

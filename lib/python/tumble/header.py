@@ -52,8 +52,8 @@ class Header:
         self.old_names = dict(re.findall(r"^#define (tumble_\w+) (tumble_\w+)$", text, re.M))
         text = re.sub(r"^//[<>].*\n", "", text, flags=re.M)
         text = re.sub(r"^[ \t]*#.*\n", "", text, flags=re.M)
+        text = re.sub(r"^static inline.*?^\}$", "", text, flags=re.M | re.S)
         text = re.sub(r'extern "C" \{|^\}$(?!\s*\w)', "", text, flags=re.M)
-        text = re.sub(r"^static inline[^{]*\{[^}]*(\{[^}]*\}[^}]*)*\}?", "", text, flags=re.M)
         comment = ""
         for match in re.finditer(r"((?:^//.*\n)+)|^(typedef|enum)\b[^;{]*(?:\{((?:[^{}])*)\}\s*(\w*))?[^;]*;|^[a-z][\w ]*[ *]\**tumble_\w+\([^;]*\);",
                                  text, re.M):

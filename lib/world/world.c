@@ -295,7 +295,8 @@ bool world_wake_near(world *w, int a, int b)
     if (body_is_static(&w->body[sleeper])) return false;
     bool is_moving = w->body[other].is_kinematic
                    ? body_is_driven(w, other)
-                   : sleep_is_moving(&w->sleep, other);
+                   : body_is_dynamic(&w->body[other])
+                     && sleep_is_moving(&w->sleep, other);
     if (!is_moving) return false;
     world_wake(w, sleeper);
     return true;

@@ -220,9 +220,10 @@ static void find_lifts(world *w)
     }
 }
 
-// In what is calm no contact bears more than all that pulls at the island, or than all
-// together that carries it.  What is more is a jam: whatever stands on both sides of
-// it presses it, and springs that are stiffer, in shorter substeps, are pressed harder.
+// In what is calm no contact bears more than all that pulls at the island, or
+// than all together that carries it.  What is more is a jam: whatever stands on
+// both sides of it presses it, and springs that are stiffer, in shorter
+// substeps, are pressed harder.
 static real borne_by(const rigid_tables *t, const active_contact *x,
                      const island *i)
 {

@@ -353,8 +353,8 @@ static bool may_meet(const world *w, int a, int b, real ways)
                 + extent_of(w, b, along) + ways;
 }
 
-// Raises `passed` (m) to how far the one goes that wakes the other: what was hit goes
-// on as far, and wakes what it hits.
+// Raises `passed` (m) to how far the one goes that wakes the other: what was hit
+// goes on as far, and wakes what it hits.
 static bool wake_pair(world *w, int a, int b, real *passed)
 {
     int x = body_whole(&w->body[a], a), y = body_whole(&w->body[b], b);

@@ -24,6 +24,13 @@ static real slow_speed(const world_options *o, real radius)
     return sleep_scaled(SLOW * o->sleep_speed, vec3_length(o->gravity), radius);
 }
 
+static real friction_of(const world *w, const contact *c)
+{
+    if (!w->has_materials) return w->options.friction;
+    material b = c->b < 0 ? w->wall[-1 - c->b] : w->rigid.material[c->b];
+    return material_meet(w->rigid.material[c->a], b).friction;
+}
+
 static real speed_across(vec3 u, vec3 normal)
 {
     return vec3_length(vec3_add_scaled(u, -vec3_dot(u, normal), normal));
@@ -56,27 +63,37 @@ static bool gains_speed(const world *w, const contact *c)
            > speed_across(was, c->normal) / w->frame + most;
 }
 
-static void brake(world *w, const contact *c, real load)
+// The angular impulse, `most` (N m s) or less, that brakes this spin of A beside B.
+static void brake(rigid_tables *t, const contact *c, vec3 spin, real most)
 {
     static const motion_basis immovable = { .inverse_mass = 0 };
-    rigid_tables *t = &w->rigid;
     const motion_basis *a = &t->now[c->a].basis, *b = &immovable;
-    vec3 spin = motion_rotation(a, &t->velocity[c->a]);
-    real radius = radius_of(c), most = RESISTANCE * radius * load;
-    if (c->b >= 0) {
-        b = &t->now[c->b].basis;
-        spin = vec3_sub(spin, motion_rotation(b, &t->velocity[c->b]));
-    }
     real speed = vec3_length(spin);
-    if (!(speed > 0)
-        || !(speed * radius < slow_speed(&w->options, radius))
-        || slip_of(t, c) > RESISTANCE * speed * radius
-        || gains_speed(w, c)) return;
+    if (!(speed > 0)) return;
+    if (c->b >= 0) b = &t->now[c->b].basis;
     vec3 about = vec3_scale(1 / speed, spin);
     real stops = speed / (motion_answer(0, a, about) + motion_answer(0, b, about));
     vec3 impulse = vec3_scale(real_min(stops, most), about);
     motion_twist(&t->velocity[c->a], a, vec3_scale(-1, impulse));
     if (c->b >= 0) motion_twist(&t->velocity[c->b], b, impulse);
+}
+
+// It rolls, and it spins on its point: as fast as it likes, if the two are smooth.
+static void brake_both(world *w, const contact *c, real load)
+{
+    rigid_tables *t = &w->rigid;
+    real radius = radius_of(c), most = RESISTANCE * radius * load;
+    vec3 spin = motion_rotation(&t->now[c->a].basis, &t->velocity[c->a]);
+    if (c->b >= 0)
+        spin = vec3_sub(spin, motion_rotation(&t->now[c->b].basis,
+                                              &t->velocity[c->b]));
+    if (slip_of(t, c) > RESISTANCE * vec3_length(spin) * radius
+        || gains_speed(w, c)) return;
+    vec3 point = vec3_scale(vec3_dot(spin, c->normal), c->normal);
+    vec3 rolls = vec3_sub(spin, point);
+    if (vec3_length(rolls) * radius < slow_speed(&w->options, radius))
+        brake(t, c, rolls, most);
+    if (friction_of(w, c) > 0) brake(t, c, point, most);
 }
 
 static bool has_round(const world *w)
@@ -96,7 +113,7 @@ void rolling_brake(world *w)
     for (int k = 0; k < s->contacts; k++) {
         const contact *c = t->cache.active[k];
         real load = s->active[k].load * w->frame / t->age[s->active[k].a];
-        if (load > 0 && radius_of(c) > 0) brake(w, c, load);
+        if (load > 0 && radius_of(c) > 0) brake_both(w, c, load);
     }
 }
 //<

@@ -193,14 +193,42 @@ static void add_layer(const rigid_tables *t, int b, vec3 down, island *i)
     i->bodies++;
 }
 
-// A body's weight is shared by the contacts below it, as they bore it last.
+// N: with what gravity and forces pull at a body.
+static void add_pull(const world *w, int b, island *i)
+{
+    const rigid_tables *t = &w->rigid;
+    real inverse = t->now[b].basis.inverse_mass;
+    if (!(inverse > 0) || t->now[b].is_driven) return;
+    vec3 pull = vec3_add_scaled(t->load[b].force, 1 / inverse, body_gravity(w, b));
+    i->pulls += vec3_length(pull);
+}
+
+// A body's weight is shared by the contacts below it, as they bore it last; and what
+// does not yield carries the island.
 static void find_lifts(world *w)
 {
     rigid_tables *t = &w->rigid;
     for (int k = 0; k < t->solver.contacts; k++) {
         const active_contact *x = &t->solver.active[k];
         if (x->above >= 0) t->island[x->above].lift += x->lift;
+        if (!(x->load > 0) || x->sides == TWO_SIDED) continue;
+        const contact *c = t->cache.active[k];
+        vec3 push = vec3_add_scaled(c->friction, x->load, c->normal);
+        real per_age = (x->is_swapped ? -1 : 1) / t->age[x->a];
+        island *i = &t->island[island_root(t->island, x->a)];
+        i->carried = vec3_add_scaled(i->carried, per_age, push);
     }
+}
+
+// In what is calm no contact bears more than all that pulls at the island, or
+// than all together that carries it.  What is more is a jam: whatever stands on
+// both sides of it presses it, and springs that are stiffer, in shorter
+// substeps, are pressed harder.
+static real borne_by(const rigid_tables *t, const active_contact *x,
+                     const island *i)
+{
+    real most = real_max(i->pulls, vec3_length(i->carried)) * t->age[x->a];
+    return x->load > most ? x->borne * most / x->load : x->borne;
 }
 
 static real weight_on(const rigid_tables *t, const active_contact *x)
@@ -217,7 +245,7 @@ static real turn_of(const world *w, int b)
     return t->ahead[b].angle * out / t->now[b].radius;
 }
 
-static void find_demands(world *w)
+static void ask_bodies(world *w)
 {
     rigid_tables *t = &w->rigid;
     vec3 down = vec3_unit(w->options.gravity);
@@ -226,29 +254,48 @@ static void find_demands(world *w)
         const island *i = &t->island[of];
         judge(w, &t->island[of], b, i->rests ? -1 : i->ground);
         if (t->moves[b]) add_layer(t, b, down, &t->island[of]);
+        if (t->moves[b]) add_pull(w, b, &t->island[of]);
         if (b != of) add_choice(t, b, &t->choice[of]);
     }
-    find_lifts(w);
-    for (int k = 0; k < t->solver.contacts; k++) {
-        const active_contact *x = &t->solver.active[k];
-        island *i = x->count > 0 ? rungs_island(w, x->a, -1) : NULL;
-        if (!i) continue;
-        i->weight = real_max(i->weight, weight_on(t, x));
-        i->squares += x->borne * x->borne;
-        i->bears += x->borne > 0;
-        if (x->sides == DRIVEN_SIDED) judge(w, i, x->a, x->b);
-        if (x->sides == DRIVEN_SIDED) i->is_fast |= rungs_sweeps(w, x->a, x->b);
-        i->turn = real_max(i->turn, turn_of(w, x->a));
-        if (x->sides != ONE_SIDED)
-            i->turn = real_max(i->turn, turn_of(w, x->b));
-    }
+}
+
+static void ask_joints(world *w)
+{
     for (int k = 0; k < w->joints.count; k++) {
         const joint *j = &w->joints.joint[k];
         island *i = rungs_island(w, j->a, j->b);
         if (!i || j->kind == JOINT_NONE || j->is_broken) continue;
         i->pace = real_max(i->pace, w->joints.rows[k].pace);
         i->hangs = true;
+        if (j->is_driven) i->pulls = HUGE_VAL;
     }
+}
+
+static void ask_contacts(world *w)
+{
+    rigid_tables *t = &w->rigid;
+    for (int k = 0; k < t->solver.contacts; k++) {
+        const active_contact *x = &t->solver.active[k];
+        island *i = x->count > 0 ? rungs_island(w, x->a, -1) : NULL;
+        if (!i) continue;
+        real borne = borne_by(t, x, i);
+        i->weight = real_max(i->weight, weight_on(t, x));
+        i->squares += borne * borne;
+        i->bears += borne > 0;
+        if (x->sides == DRIVEN_SIDED) judge(w, i, x->a, x->b);
+        if (x->sides == DRIVEN_SIDED) i->is_fast |= rungs_sweeps(w, x->a, x->b);
+        i->turn = real_max(i->turn, turn_of(w, x->a));
+        if (x->sides != ONE_SIDED)
+            i->turn = real_max(i->turn, turn_of(w, x->b));
+    }
+}
+
+static void find_demands(world *w)
+{
+    ask_bodies(w);
+    ask_joints(w);
+    find_lifts(w);
+    ask_contacts(w);
 }
 //<
 

@@ -229,7 +229,7 @@ void sleep_stand(sleep_state *s, int b)
 
 bool sleep_is_moving(const sleep_state *s, int b)
 {
-    return s->watch[b].is_moving;
+    return s->watch[b].is_moving || s->watch[b].halves == 0;
 }
 //<
 

@@ -110,8 +110,9 @@ void sleep_stand(sleep_state *s, int b);
 void sleep_observe(sleep_state *s, int b, const particle *pool, int first,
                    int n, real radius, const sleep_rule *rule);
 
-// True if body b, awake, was seen to move in the last frame or just before it:
-// what sleeps, and is in its way, must wake.
+// True if body b, awake, was seen to move in the last frame or just before it, or
+// was not seen yet, for it came, was pushed or woke since: what sleeps, and is in
+// its way, must wake.
 bool sleep_is_moving(const sleep_state *s, int b);
 
 // Puts to sleep every island in which all bodies have been still for

@@ -338,12 +338,11 @@ static real extent_of(const world *w, int b, vec3 d)
     return most + s->round;
 }
 
-// May two bodies meet in this frame?  Not if their balls do not, nor if the line
-// through their centres shows a gap that they do not close.
-static bool may_meet(const world *w, int a, int b)
+// May two bodies meet in this frame, if they go that way (m)?  Not if their balls
+// do not, nor if the line through their centres shows a gap that they do not close.
+static bool may_meet(const world *w, int a, int b, real ways)
 {
     const rigid_tables *t = &w->rigid;
-    real ways = t->reach[a] + t->reach[b];
     real near = t->ball[a].radius + t->ball[b].radius + ways;
     vec3 d = vec3_sub(t->ball[a].center, t->ball[b].center);
     real far = vec3_length(d);
@@ -354,14 +353,19 @@ static bool may_meet(const world *w, int a, int b)
                 + extent_of(w, b, along) + ways;
 }
 
-static bool wake_pair(world *w, int a, int b)
+// Raises `passed` (m) to how far the one goes that wakes the other: what was hit
+// goes on as far, and wakes what it hits.
+static bool wake_pair(world *w, int a, int b, real *passed)
 {
     int x = body_whole(&w->body[a], a), y = body_whole(&w->body[b], b);
-    return w->sleep.asleep[x] != w->sleep.asleep[y] && may_meet(w, a, b)
-        && world_wake_near(w, x, y);
+    real ways = w->rigid.reach[a] + w->rigid.reach[b];
+    bool wakes = w->sleep.asleep[x] != w->sleep.asleep[y]
+        && may_meet(w, a, b, ways + *passed) && world_wake_near(w, x, y);
+    if (wakes) *passed = real_max(*passed, ways);
+    return wakes;
 }
 
-static bool wake_sleepers(world *w)
+static bool wake_sleepers(world *w, real *passed)
 {
     const rigid_tables *t = &w->rigid;
     const bool *asleep = w->sleep.asleep;
@@ -369,7 +373,7 @@ static bool wake_sleepers(world *w)
     for (int k = 0; k < t->pairs.count; k++) {
         int a = t->pairs.pair[k][0], b = t->pairs.pair[k][1];
         if (asleep[a] != asleep[b] || has_pieces)
-            woke |= wake_pair(w, a, b);
+            woke |= wake_pair(w, a, b, passed);
     }
     if (woke) look_at_bodies(w);
     return woke;
@@ -451,8 +455,10 @@ static bool list_pairs(world *w, pair_finding *ask)
 
 static void find_pairs(world *w)
 {
+    real passed = 0;
     w->rigid.is_new_list = list_pairs(w, pair_list_update);
-    if (wake_sleepers(w))
+    // Each round wakes a sleeper, and none falls asleep.
+    while (wake_sleepers(w, &passed))
         w->rigid.is_new_list |= list_pairs(w, pair_list_wake);
 }
 //<

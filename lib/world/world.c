@@ -16,8 +16,8 @@ world_options world_options_default(void)
         .dt = 1.0 / 60, .most_substeps = 200,
         .gravity = { 0, -9.81, 0 },
         .friction = 0.5, .restitution = 0,
-        // A substep of 1/8000 s bears more; longer ones have less (solver-pass).
-        .hertz = 1000,              // tuned, 1/s
+        // The most that may be chosen: as stiff as a substep bears (solver-pass).
+        .hertz = 1e6,
         // Vertices move by so much before they are placed again.
         .stay = 0.03,               // tuned, radii
         .warm_start = true,
@@ -295,7 +295,8 @@ bool world_wake_near(world *w, int a, int b)
     if (body_is_static(&w->body[sleeper])) return false;
     bool is_moving = w->body[other].is_kinematic
                    ? body_is_driven(w, other)
-                   : sleep_is_moving(&w->sleep, other);
+                   : body_is_dynamic(&w->body[other])
+                     && sleep_is_moving(&w->sleep, other);
     if (!is_moving) return false;
     world_wake(w, sleeper);
     return true;

@@ -80,6 +80,40 @@ START_TEST(box_beside_a_hard_pair_goes_as_it_goes_alone)
 }
 END_TEST
 
+static tumble_body add_jaw(tumble_world *w, double x, double speed)
+{
+    tumble_body_options o = tumble_body_at(x, 0.5, 0);
+    o.kind = TUMBLE_KINEMATIC;
+    o.velocity = tumble_v(speed, 0, 0);
+    return tumble_body_add(w, tumble_shape_box(w, tumble_v(1, 1, 3), 1), o);
+}
+
+// Two jaws close on two cubes, to so many of their lengths, and stop.
+// Rejects: substeps for a force that shorter ones make larger.
+START_TEST(jam_asks_for_no_more_substeps_than_its_weight)
+{
+    static const double length[] = { 1.98, 1.9 };
+    for (int k = 0; k < 2; k++) {
+        tumble_world *w = with_floor();
+        add_cube(w, 1, -0.5, 0.5);
+        add_cube(w, 1, 0.5, 0.5);
+        double way = 0.3 + (2 - length[k]) / 2;
+        tumble_body left = add_jaw(w, -1.8, way), right = add_jaw(w, 1.8, -way);
+        for (int i = 0; i < 60; i++) tumble_world_step(w);
+        tumble_body_set_velocity(w, left, tumble_v(0, 0, 0), tumble_v(0, 0, 0));
+        tumble_body_set_velocity(w, right, tumble_v(0, 0, 0), tumble_v(0, 0, 0));
+        int most = 0;
+        for (int i = 0; i < 180; i++) {
+            tumble_world_step(w);
+            int substeps = tumble_world_last_step(w).substeps;
+            most = substeps > most ? substeps : most;
+        }
+        ck_assert_msg(most <= 8, "closed to %g m: %d substeps", length[k], most);
+        tumble_world_free(w);
+    }
+}
+END_TEST
+
 // N: all that pushes b from below.
 static double load_on(const tumble_world *w, tumble_body b)
 {
@@ -95,6 +129,30 @@ static double load_on(const tumble_world *w, tumble_body b)
         }
     return sum;
 }
+
+// m, by which a cube of this side (m) sinks that bears a thousand times its weight,
+// over its side.
+static double sag(double side)
+{
+    tumble_world *w = with_floor();
+    tumble_vec3 sides = tumble_v(side, side, side);
+    tumble_body_add(w, tumble_shape_box(w, sides, 1),
+                    tumble_body_at(0, 0.5 * side, 0));
+    tumble_body heavy = tumble_body_add(w, tumble_shape_box(w, sides, 1000),
+                                        tumble_body_at(0, 1.5 * side, 0));
+    for (int k = 0; k < 120; k++) tumble_world_step(w);
+    double at = tumble_body_position(w, heavy).y;
+    tumble_world_free(w);
+    return 1.5 - at / side;
+}
+
+// Shorter substeps, as the load asks for, make springs stiffer, for small bodies too.
+// Rejects: springs that are no stiffer than 1000 Hz: 0.0031.
+START_TEST(cube_of_a_decimetre_bears_its_load_as_one_of_a_metre)
+{
+    near(sag(0.1), sag(1), 2e-4);
+}
+END_TEST
 
 // Rejects: impulses that are divided by another island's substep.
 START_TEST(contacts_of_both_carry_their_weight)
@@ -376,6 +434,8 @@ int main(void)
 {
     const TTest *const tests[] = {
         box_beside_a_hard_pair_goes_as_it_goes_alone,
+        jam_asks_for_no_more_substeps_than_its_weight,
+        cube_of_a_decimetre_bears_its_load_as_one_of_a_metre,
         contacts_of_both_carry_their_weight,
         tower_falls_asleep_beside_a_bullet,
         what_four_bear_asks_for_half_of_what_one_asks_for,

@@ -393,6 +393,34 @@ START_TEST(ball_that_slides_ends_by_rolling_with_five_sevenths)
 }
 END_TEST
 
+// s, until a ball of 0.1 m that rolls at 5 cm/s, and spins at 20 rad/s on its point,
+// sleeps; 30: it does not.
+static real until_still(real friction, real spin)
+{
+    world_options o = world_options_default();
+    o.friction = friction;
+    begin(o);
+    expect_ok(world_add_plane(&w, vec3_make(0, 1, 0), 0));
+    placement at = placement_at(vec3_make(0, .1, 0));
+    at.velocity = vec3_make(.05, 0, 0);
+    at.spin = vec3_make(0, spin, -.5);
+    add(&ball, at);
+    int n = 0;
+    for (; n < 1800 && w.report.asleep == 0; n++) frames(1);
+    return (real)n / 60;
+}
+
+// The torque of its point, m g r / 100, stops 2/5 m r^2 times 20 rad/s in 8.2 s.
+// Rejects: a brake that takes the spin for rolling, which is too fast for it.
+START_TEST(ball_that_spins_on_its_point_comes_to_rest)
+{
+    real plain = until_still(.5, 0), spinning = until_still(.5, 20);
+    ck_assert_msg(plain < 2, "%g s", plain);
+    ck_assert_msg(spinning > 8 && spinning < 10, "%g s", spinning);
+    ck_assert(until_still(0, 20) >= 30);
+}
+END_TEST
+
 // Without friction it slides, and does not turn.
 START_TEST(ball_without_friction_slides)
 {
@@ -737,6 +765,7 @@ int main(void)
         ball_that_spins_reaches_nothing_by_it,
         ball_rolls_down_a_slope_with_five_sevenths,
         ball_that_slides_ends_by_rolling_with_five_sevenths,
+        ball_that_spins_on_its_point_comes_to_rest,
         ball_without_friction_slides,
         marble_rests_on_a_floor_in_a_corner_and_on_two_edges,
         elastic_impact_changes_speeds_along_the_line_of_centres,

@@ -469,15 +469,18 @@ START_TEST(waking_wakes_the_whole_island_and_no_other)
 }
 END_TEST
 
-// Rejects: a woken body that falls asleep again at once, in the air.
+// Rejects: a woken body that falls asleep again at once, in the air; one that is
+// taken to rest before it was looked at.
 START_TEST(woken_island_is_observed_from_the_start)
 {
     const int pair[] = { 0, 1, -1 };
     begin(2);
     frames(TO_SLEEP, pair);
     sleep_wake(&state, 1);
+    ck_assert(sleep_is_moving(&state, 0) && sleep_is_moving(&state, 1));
+    frames(1, pair);
     ck_assert(!sleep_is_moving(&state, 0) && !sleep_is_moving(&state, 1));
-    frames(TO_SLEEP - 1, pair);
+    frames(TO_SLEEP - 2, pair);
     asleep_are("..");
     frames(1, pair);
     asleep_are("zz");

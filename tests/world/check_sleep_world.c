@@ -389,6 +389,45 @@ START_TEST(what_passes_by_wakes_nothing_and_what_hits_does)
 }
 END_TEST
 
+enum { ROW = 4 };
+
+// Cubes in a row, `gap` (m) apart, without gravity, and after a second one more,
+// `from` (m) before them, at 2 m/s.  Writes how fast each goes at last (m/s).
+static void hit_row(bool sleeps, real gap, real from, real speed[ROW + 1])
+{
+    make_box(1);
+    begin(1.0 / 60, 0.5);
+    w.options.gravity = (vec3){ 0, 0, 0 };
+    if (!sleeps) w.options.sleep_speed = 0;
+    for (int k = 0; k < ROW; k++)
+        add(placement_at(vec3_make((1 + gap) * k, 0, 0)));
+    run(1, ROW + 1);
+    ck_assert_int_eq(w.report.asleep, sleeps ? ROW : 0);
+    placement p = placement_at(vec3_make(-1 - from, 0, 0));
+    p.velocity = vec3_make(2, 0, 0);
+    add(p);
+    run(2, ROW + 1);
+    for (int k = 0; k <= ROW; k++) speed[k] = w.rigid.velocity[k].of[0];
+}
+
+// What stands side by side and presses nothing is asleep one by one.
+// Rejects: a sleeper that is a rock in the frame in which its neighbour is hit, or
+// beside which something has just come that flies.
+START_TEST(row_that_sleeps_is_hit_as_one_that_is_awake)
+{
+    static const real gap[] = { 0, 1e-3, 1e-2 }, from[] = { 0.01, 1 };
+    for (int k = 0; k < 6; k++) {
+        real asleep[ROW + 1], awake[ROW + 1];
+        hit_row(true, gap[k % 3], from[k / 3], asleep);
+        hit_row(false, gap[k % 3], from[k / 3], awake);
+        for (int b = 0; b <= ROW; b++)
+            ck_assert_msg(fabs(asleep[b] - awake[b]) < 1e-9,
+                          "gap %g m, from %g m, cube %d: %g m/s, not %g",
+                          gap[k % 3], from[k / 3], b, asleep[b], awake[b]);
+    }
+}
+END_TEST
+
 // A tower of ten, each cube a millimetre off, sways for two seconds, and cannot
 // fall.  Leaning at 1 cm/s does not keep it awake; a cube that tips over is, with
 // the same speed, and so is one that slides.
@@ -489,6 +528,7 @@ int main(void)
         cubes_in_a_room_fall_asleep,
         what_is_hit_wakes_and_its_island_with_it,
         what_passes_by_wakes_nothing_and_what_hits_does,
+        row_that_sleeps_is_hit_as_one_that_is_awake,
         tower_that_sways_sleeps,
         without_sleep_speed_no_body_sleeps,
         time_to_sleep_is_the_time_to_sleep,

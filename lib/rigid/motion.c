@@ -1,6 +1,7 @@
 //> motion-basis
 //>   Six coordinates of a motion: three along the axes, three about them.
 #include "motion.h"
+#include "inline.h"
 
 #include <math.h>
 #include <string.h>
@@ -103,24 +104,27 @@ static int moves_of(const motion_basis *basis, const motion *d)
 //> motion-frame
 //>   Cloth, impacts and joints ask where a body would be. A frame is turned
 //>   without a sine: the tangent of half an angle is a short series.
-// t, a rotation by a small part of a turn, as Cayley's map takes it: as long as
-// tan(|t| / 2), by its series.  At FURTHEST it is good to 5e-9.
-static vec3 half_tangent(vec3 t)
+// tan(x / 2) / x, from the square of x, a small part of a turn, by its series.  At
+// FURTHEST it is good to 5e-9; of a wild turn it must stay a number.
+static real half_share(real a)
 {
-    real a = vec3_length_squared(t);
-    return vec3_scale((1 + a * (1.0 / 12 + a * (1.0 / 120 + a * (17.0 / 20160))))
-                      / 2, t);
+    a = real_min(a, 1);
+    return (1 + a * (1.0 / 12 + a * (1.0 / 120 + a * (17.0 / 20160)))) / 2;
 }
 
-// All axes but one (-1: all) are turned by the angle 2 arctan |t| about t (Cayley).
-static void turn_axes(rigid_frame *f, vec3 t, int but)
+static vec3 half_tangent(vec3 t)
 {
-    real twice = 2 / (1 + vec3_length_squared(t));
+    return vec3_scale(half_share(vec3_length_squared(t)), t);
+}
+
+// All axes are turned by the angle 2 arctan(|t| / w) about t (Cayley).
+static void turn_axes(rigid_frame *f, real w, vec3 t)
+{
+    real twice = 2 / (w * w + vec3_length_squared(t));
     for (int i = 0; i < FOUR_AXES; i++) {
         vec3 once = vec3_cross(t, f->axis[i]);
-        if (i == but) continue;
-        f->axis[i] = vec3_add_scaled(f->axis[i], twice,
-                                     vec3_add(once, vec3_cross(t, once)));
+        vec3 more = vec3_add_scaled(vec3_cross(t, once), w, once);
+        f->axis[i] = vec3_add_scaled(f->axis[i], twice, more);
     }
 }
 
@@ -154,7 +158,7 @@ rigid_frame motion_frame(const rigid_frame *frame, const motion_basis *basis,
     vec3 half = half_tangent(turn);
     rigid_frame now = *frame;
     now.center = vec3_add(frame->center, straight);
-    if (moves == 1) turn_axes(&now, half, -1);
+    if (moves == 1) turn_axes(&now, 1, half);
     for (int i = 0; i < FOUR_AXES && moves > 1; i++)
         now.axis[i] = turned_often(half, moves, now.axis[i]);
     return now;
@@ -162,31 +166,53 @@ rigid_frame motion_frame(const rigid_frame *frame, const motion_basis *basis,
 //<
 
 //> motion-turning
-// A body that turns freely: its axes, how fast each turns it for a unit of
-// angular momentum, and that angular momentum.
+// A body that turns freely, in coordinates along its own axes: how it turned since
+// it began, as a quaternion of any length, and its angular momentum.
 typedef struct {
-    rigid_frame frame;
     real scale[TURNS];      // motion_basis.turn beside frame.axis
+    real length[TURNS];     // m, of frame.axis
+    real root[TURNS];       // kg^(-1/2) / m, the root of
     real inverse[TURNS];    // 1/(kg m^2), one over each moment of inertia
-    vec3 angular;           // kg m^2/s
+    real angular[TURNS];    // kg m^2/s
+    real w, turned[TURNS];
 } turning;
 
-// It turns by t, a small part of a turn: all its axes but one, about which it
-// turns; -1: all.
-static void turn_by(turning *x, vec3 t, int but)
+// As a ball turns with these moments: about its angular momentum.
+static void turn_ball(turning *x, real inverse, real h)
 {
-    turn_axes(&x->frame, half_tangent(t), but);
+    const real *l = x->angular, *v = x->turned;
+    vec3 t = half_tangent(vec3_scale(h * inverse, vec3_make(l[0], l[1], l[2])));
+    vec3 was = { v[0], v[1], v[2] };
+    vec3 now = vec3_add_scaled(vec3_add(was, vec3_cross(was, t)), x->w, t);
+    x->w -= vec3_dot(was, t);
+    x->turned[0] = now.x, x->turned[1] = now.y, x->turned[2] = now.z;
+}
+
+// A quaternion of many moves has length 1 again, before it is too long.
+static void shorten(turning *x)
+{
+    real *v = x->turned;
+    real one = 1 / sqrt(x->w * x->w + v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    x->w *= one;
+    for (int t = 0; t < TURNS; t++) v[t] *= one;
 }
 
 static const real ALIKE = 1e-12;        // moments, to rounding
 
-// About its own axis k, as if the moment there were one over `inverse`.
-static void turn_about(turning *x, int k, real inverse, real h)
+// About its own axis k, as if the moment there were one over `inverse`: its angular
+// momentum stays, so its coordinates turn back.  The axes k, i, j are right-handed.
+static void turn_about(turning *x, int k, int i, int j, real inverse, real h)
 {
-    vec3 axis = x->frame.axis[k];
-    real share = vec3_dot(axis, x->angular) / vec3_length_squared(axis);
-    if (fabs(inverse) > ALIKE * x->inverse[k])
-        turn_by(x, vec3_scale(h * inverse * share, axis), k);
+    real *v = x->turned, *l = x->angular;
+    real by = h * inverse * l[k], w = x->w, a = v[i], b = l[i];
+    if (!(fabs(inverse) > ALIKE * x->inverse[k])) return;
+    real t = by * half_share(by * by), twice = 2 * t / (1 + t * t);
+    x->w -= t * v[k];
+    v[k] += t * w;
+    v[i] += t * v[j];
+    v[j] -= t * a;
+    l[i] += twice * (l[j] - t * b);
+    l[j] -= twice * (b + t * l[j]);
 }
 //<
 
@@ -194,7 +220,7 @@ static void turn_about(turning *x, int k, real inverse, real h)
 //>   Which two moments are nearest to each other?
 // Of the three moments two are nearest to each other, `ball` and `like`.
 typedef struct {
-    int ball, like, odd;
+    int ball, like, odd;    // right-handed
 } moments;
 
 static moments compare_moments(const turning *x)
@@ -222,48 +248,52 @@ static void turn_freely(turning *x, real h)
 {
     moments m = compare_moments(x);
     real ball = x->inverse[m.ball];
-    turn_by(x, vec3_scale(h * ball, x->angular), -1);
-    turn_about(x, m.like, x->inverse[m.like] - ball, h / 2);
-    turn_about(x, m.odd, x->inverse[m.odd] - ball, h);
-    turn_about(x, m.like, x->inverse[m.like] - ball, h / 2);
+    turn_ball(x, ball, h);
+    real like = x->inverse[m.like] - ball, odd = x->inverse[m.odd] - ball;
+    turn_about(x, m.like, m.odd, m.ball, like, h / 2);
+    turn_about(x, m.odd, m.ball, m.like, odd, h);
+    turn_about(x, m.like, m.odd, m.ball, like, h / 2);
 }
 //<
 
 //> motion-advance
 //>   Every substep a body flies straight on, and turns. Its velocity follows from
 //>   the angular momentum.
-// The basis and the velocity of a body that stands so.
-static void turn_basis(const turning *x, motion_basis *basis, motion *u)
+ALWAYS_INLINE turning turning_of(const rigid_frame *frame,
+                                 const motion_basis *basis, const motion *u)
 {
+    turning x = { .w = 1 };
     for (int t = 0; t < TURNS; t++) {
-        basis->turn[t] = vec3_scale(x->scale[t], x->frame.axis[t]);
-        u->of[MOTION_TURN + t] = vec3_dot(basis->turn[t], x->angular);
-    }
-}
-
-static turning turning_of(const rigid_frame *frame, const motion_basis *basis,
-                          const motion *u)
-{
-    turning x = { .frame = *frame, .angular = motion_angular(basis, u) };
-    for (int t = 0; t < TURNS; t++) {
-        x.scale[t] = vec3_dot(basis->turn[t], frame->axis[t])
-                   / vec3_length_squared(frame->axis[t]);
-        x.inverse[t] = vec3_length_squared(basis->turn[t]);
+        real square = vec3_length_squared(frame->axis[t]);
+        x.length[t] = sqrt(square);
+        x.scale[t] = vec3_dot(basis->turn[t], frame->axis[t]) / square;
+        x.root[t] = x.scale[t] * x.length[t];
+        x.inverse[t] = x.root[t] * x.root[t];
+        x.angular[t] = x.root[t] > 0 ? u->of[MOTION_TURN + t] / x.root[t] : 0;
     }
     return x;
 }
 
 void motion_advance(rigid_frame *frame, motion_basis *basis, motion *u, real h)
 {
-    vec3 straight = { u->of[0], u->of[1], u->of[2] };
-    real turn = h * vec3_length(motion_rotation(basis, u));
-    real parts = turn / FURTHEST;
-    int n = parts < FREE_MOVES ? 1 + (int)parts : FREE_MOVES;
+    vec3 straight = { u->of[0], u->of[1], u->of[2] }, axis = { 0, 0, 0 };
     turning x = turning_of(frame, basis, u);
-    x.frame.center = vec3_add_scaled(x.frame.center, h, straight);
-    for (int k = 0; k < n; k++) turn_freely(&x, h / n);
-    turn_basis(&x, basis, u);
-    *frame = x.frame;
+    const real *w = u->of + MOTION_TURN, *root = x.root;
+    vec3 spin = { root[0] * w[0], root[1] * w[1], root[2] * w[2] };
+    real parts = h * vec3_length(spin) / FURTHEST;
+    int n = parts < FREE_MOVES ? 1 + (int)parts : FREE_MOVES;
+    frame->center = vec3_add_scaled(frame->center, h, straight);
+    for (int k = 0; k < n; k++) {
+        turn_freely(&x, h / n);
+        if (n > 1) shorten(&x);
+    }
+    for (int t = 0; t < TURNS; t++)
+        axis = vec3_add_scaled(axis, x.turned[t] / x.length[t], frame->axis[t]);
+    turn_axes(frame, x.w, axis);
+    for (int t = 0; t < TURNS; t++) {
+        basis->turn[t] = vec3_scale(x.scale[t], frame->axis[t]);
+        u->of[MOTION_TURN + t] = x.root[t] * x.angular[t];
+    }
 }
 //<
 
@@ -272,10 +302,13 @@ void motion_advance(rigid_frame *frame, motion_basis *basis, motion *u, real h)
 void motion_displace(rigid_frame *frame, motion_basis *basis, motion *u,
                      const motion *d)
 {
+    vec3 angular = motion_angular(basis, u);
     turning x = turning_of(frame, basis, u);
-    x.frame = motion_frame(frame, basis, d);
-    turn_basis(&x, basis, u);
-    *frame = x.frame;
+    *frame = motion_frame(frame, basis, d);
+    for (int t = 0; t < TURNS; t++) {
+        basis->turn[t] = vec3_scale(x.scale[t], frame->axis[t]);
+        u->of[MOTION_TURN + t] = vec3_dot(basis->turn[t], angular);
+    }
 }
 //<
 

@@ -135,8 +135,8 @@ void linkage_scale(linkage *l, real times);
 // (warm starting);
 void linkage_begin(linkage *l, const linkage_pass *q);
 
-// brings the joints together by its end; before the contacts push, and once
-// more after them, so that an impact does not pull a joint apart;
+// brings the joints together by its end: by one solve before the contacts push,
+// and to the last after them, so that an impact does not pull a joint apart;
 void linkage_push(linkage *l, const linkage_pass *q, bool is_last);
 
 // puts a joined body where it goes;

@@ -1198,9 +1198,10 @@ line_result line_solve(strands s, particle *p, int steps,
 }
 
 // What one direction of a cloth does the other half undoes: sweep after sweep.
-// What a first sweep has left, all but the last ask for more of.  (Along the old
-// links it would be taken for failure.)  A rope has only one direction, and no need; it
-// takes more than a step only where it touches something.
+// Of what a first sweep has left, all but the last ask for more than it is.
+// (Along the old links that would be taken for failure.)  A rope has only one
+// direction, and no need; it takes more than a step only where it touches
+// something.
 static const real MORE = 1.2;               // tuned, 1
 
 line_result lines_relax(const shape *s, particle *p, int sweeps,

@@ -388,7 +388,7 @@ static void note_places(near_lists *l, const soft_frame *f, int b)
 }
 
 // Where two begin nearer than touching, nothing has pressed them there, and to
-// be pushed out at once would throw them apart.  They keep the gap that they have,
+// be pushed out at once would throw them apart.  They keep the gap that is there,
 static void find_gaps(near_lists *l, const soft_frame *f)
 {
     for (int k = 0; k < l->pairs; k++) {

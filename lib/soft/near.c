@@ -387,8 +387,36 @@ static void note_places(near_lists *l, const soft_frame *f, int b)
         l->listed[i] = l->at[i];
 }
 
+// Where two begin nearer than touching, nothing has pressed them there, and to
+// be pushed out at once would throw them apart.  They keep the gap that is there,
+static void find_gaps(near_lists *l, const soft_frame *f)
+{
+    for (int k = 0; k < l->pairs; k++) {
+        const particle_contact *c = &l->pair[k];
+        real *a = &l->gap[f->owner[c->a]], *b = &l->gap[f->owner[c->b]];
+        real apart = vec3_distance(l->at[c->a], l->at[c->b]) / c->distance;
+        if (a != b && *a > 1) *a = real_min(*a, 1 + apart);
+        if (a != b && *b > 1) *b = real_min(*b, 1 + apart);
+    }
+    for (int n = 0; n < l->softs; n++) {
+        real *gap = &l->gap[l->soft[n]];
+        if (*gap > 1) *gap -= 1;
+    }
+}
+
+// and a second later they touch as others do.
+static void widen_gaps(near_lists *l, const soft_frame *f)
+{
+    for (int n = 0; n < l->softs; n++) {
+        real *gap = &l->gap[l->soft[n]];
+        if (soft_moves(f, l->soft[n]) && *gap < 1)
+            *gap = real_min(*gap + f->h, 1);
+    }
+}
+
 void near_refresh(near_lists *l, rigid_view *v, const soft_frame *f)
 {
+    widen_gaps(l, f);
     if (lists_are_good(l, f)) return;
     facet_list last = l->facet;
     l->facet = (facet_list){ .at = l->facets_before.at };
@@ -404,6 +432,7 @@ void near_refresh(near_lists *l, rigid_view *v, const soft_frame *f)
         for (int j = k + 1; j < l->candidates; j++)
             list_pair(l, v, f, c[k], c[j]);
     }
+    if (l->softs > 1) find_gaps(l, f);
 }
 //<
 
@@ -566,6 +595,7 @@ static bool make_room(near_lists *l, int bodies, int particles)
     if (room > l->bodies) {
         TABLE_GROW(ok, l->tree, l->bodies, room);
         TABLE_GROW(ok, l->ball, l->bodies, room);
+        TABLE_GROW(ok, l->gap, l->bodies, room);
         TABLE_GROW(ok, l->is_near, l->bodies, room);
         TABLE_GROW(ok, l->candidate, l->candidates, room);
         TABLE_GROW(ok, l->soft, l->softs, room);
@@ -618,6 +648,7 @@ status near_add(near_lists *l, const body *all, int b, int bodies,
     int k = l->softs++;
     for (; k > 0 && l->soft[k - 1] > b; k--) l->soft[k] = l->soft[k - 1];
     l->soft[k] = b;
+    l->gap[b] = 2;
     l->soft_particles += n;
     l->margin = fmin(l->margin, margin_of(x));
     return done;
@@ -626,7 +657,8 @@ status near_add(near_lists *l, const body *all, int b, int bodies,
 void near_free(near_lists *l)
 {
     for (int b = 0; b < l->bodies; b++) sphere_tree_free(&l->tree[b]);
-    void *owned[] = { l->soft, l->tree, l->ball, l->is_near, l->candidate, l->at,
+    void *owned[] = { l->soft, l->tree, l->ball, l->gap, l->is_near,
+                      l->candidate, l->at,
                       l->listed, l->pair, l->point, l->leaf, l->ahead, l->met,
                       l->facet.at, l->facets_before.at };
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) free(owned[i]);

@@ -138,6 +138,8 @@ typedef struct {
     vec3 *listed;       // [particles] when the lists were made
     sphere_tree *tree;  // [bodies] of deformable ones
     sphere *ball;       // [bodies] around each, as the frame begins
+    real *gap;          // [bodies] how far other deformable ones are kept from
+                        // it, as a share of touching; more than 1: it is new
     int  *candidate;    // [candidates] deformable bodies, and rigid ones that
     int  candidates;    // they may meet in this frame, by their numbers
     bool *is_near;      // [bodies] is it a candidate, as this frame begins?

@@ -563,9 +563,9 @@ int touch_pairs(const near_lists *l, const soft_frame *f, real *deepest)
     for (int k = 0; k < l->pairs; k++) {
         particle_contact c = l->pair[k];
         if (!particle_contact_overlaps(&c, f->particle)) continue;
-        real mu = f->friction;
-        if (f->material)
-            mu = soft_material(f, f->owner[c.a], f->owner[c.b]).friction;
+        int a = f->owner[c.a], b = f->owner[c.b];
+        real mu = soft_material(f, a, b).friction;
+        if (a != b) c.distance *= real_min(l->gap[a], l->gap[b]);
         real depth = particle_contact_separate(c, f->particle, mu);
         touching += depth > 0;
         if (depth > *deepest * c.distance) *deepest = depth / c.distance;

@@ -174,6 +174,7 @@ static void near_store(near_lists *l, store *s)
     STORE_ROOM(s, l->at, l->particles);
     STORE_TABLE(s, l->listed, l->particles, l->particles);
     STORE_ROOM(s, l->ball, l->bodies);
+    STORE_TABLE(s, l->gap, l->bodies, l->bodies);
     STORE_TABLE(s, l->candidate, l->candidates, l->bodies);
     STORE_TABLE(s, l->soft, l->softs, l->bodies);
     STORE_ROOM(s, l->is_near, l->bodies);

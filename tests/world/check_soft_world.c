@@ -662,6 +662,7 @@ START_TEST(particles_part_to_the_sum_of_their_radii)
     cross_links(0.2);
     refresh(H);
     ck_assert_int_eq(probe_lists(&w)->pairs, 1);
+    probe_lists(&w)->gap[0] = probe_lists(&w)->gap[1] = 1;
     separate(H);
     ck_assert_int_eq(probe_lists(&w)->pairs + probe_lists(&w)->points, 1);
     ck_assert_int_eq(probe_touching(&w), 1);
@@ -673,6 +674,23 @@ START_TEST(particles_part_to_the_sum_of_their_radii)
     separate(H);
     ck_assert_int_le(probe_touching(&w), 1);
     ck_assert(fabs(particle_of(1, 0)->position.y - (0.1 + half)) <= ROUNDING);
+}
+END_TEST
+
+// Rejects: a push that undoes at once how they were put; none at all.
+START_TEST(what_begins_too_near_parts_in_a_second)
+{
+    cross_links(0.2);
+    refresh(H);
+    real most = 2 * w.body[0].thickness, near = 0.2;
+    for (int k = 0; k < 1 / H; k++) {
+        separate(H);
+        real apart = particle_of(1, 0)->position.y
+                   - particle_of(0, 1)->position.y;
+        ck_assert(apart >= near && apart <= near + most * H + ROUNDING);
+        near = apart;
+    }
+    ck_assert(fabs(near - most) <= ROUNDING);
 }
 END_TEST
 
@@ -1615,6 +1633,7 @@ int main(void)
         lists_survive_what_is_not_finite,
         what_finds_no_room_is_counted,
         particles_part_to_the_sum_of_their_radii,
+        what_begins_too_near_parts_in_a_second,
         box_gives_way_as_a_solid,
         particles_share_the_push_of_a_box,
         friction_stays_in_the_cone,

@@ -371,7 +371,7 @@ end
 local filter = { Link = Link, Inlines = Inlines, Math = Math, Blocks = Blocks }
 local function chapter(blocks, meta)
   if whole then page = names.page[pandoc.utils.stringify(blocks[1].content)] end
-  taken = anchor(blocks, whole and (page:match('^%d%d%l?%-') or page .. '-') or '')
+  taken = anchor(blocks, whole and (page:match('^%d%d%l?%-') or page .. '-') or '', page)
   if whole then blocks[1].identifier = page end
   if not meta.home and not meta.write then meta.side = pandoc.MetaBlocks({ block(side_of(blocks)) }) end
   local live = blocks:filter(is_live)

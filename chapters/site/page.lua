@@ -152,7 +152,7 @@ local function link_str(str)
     return pandoc.Span({ pandoc.Str(before), pandoc.Link({ pandoc.Str(exercise) }, target), pandoc.Str(after) })
   end
   local doi, rest = str.text:match('^d?o?i?:?(10%.%d%d%d%d+/.-)([%.,:;%)]*)$')
-  if doi then return pandoc.Span({ pandoc.Link({ pandoc.Str('doi:' .. doi) }, 'https://doi.org/' .. doi), pandoc.Str(rest) }) end
+  if doi then return pandoc.Span({ pandoc.Link({ pandoc.Str('doi:' .. doi) }, 'https://doi.org/' .. doi:gsub('<', '%%3C'):gsub('>', '%%3E')), pandoc.Str(rest) }) end
   -- In chapter 23 such numbers are the chapters that explain a word: (04, 13).
   if page == '23-words' and str.text:match('^%(?%d%d%l?[,.;)]*$') then return link_number(str) end
 end

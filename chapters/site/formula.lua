@@ -54,7 +54,7 @@ return function(tex, is_display, to_html)
       list[k] = piece_of(one, k == 1, to_html)
       if is_display then list[k] = list[k]:gsub('display="inline"', 'displaystyle="true"') end
     end
-    all[i] = table.concat(list, '<wbr>')
+    all[i] = table.concat(list, '<wbr/>')
   end
   if not is_display then return table.concat(all, ' ') end
   return '<span class="formula"><span>' .. table.concat(all, '</span> <span>') .. '</span></span>'

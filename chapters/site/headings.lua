@@ -1,5 +1,6 @@
 -- headings.lua - the anchor of each heading of a page: its words, and where two
--- sections have one name, those of the section around it as well.  That of an exercise is its name.
+-- sections, or the page and one of them, have one name, those of the section around
+-- it as well.  That of an exercise is its name.
 
 local function slug(header)
   local words = pandoc.utils.stringify(header.content):lower()
@@ -8,8 +9,8 @@ local function slug(header)
   return (words:gsub('[^%w%s_-]', ''):gsub('%s+', '-'):gsub('^-+', ''):gsub('-+$', ''))
 end
 
-return function(blocks, prefix)
-  local seen, above = {}, ''
+return function(blocks, prefix, page)
+  local seen, above = { [page or ''] = true }, page or ''
   for _, block in ipairs(blocks) do
     if block.t == 'Header' then
       local id = prefix .. slug(block)

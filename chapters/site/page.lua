@@ -152,7 +152,7 @@ local function link_str(str)
     return pandoc.Span({ pandoc.Str(before), pandoc.Link({ pandoc.Str(exercise) }, target), pandoc.Str(after) })
   end
   local doi, rest = str.text:match('^d?o?i?:?(10%.%d%d%d%d+/.-)([%.,:;%)]*)$')
-  if doi then return pandoc.Span({ pandoc.Link({ pandoc.Str('doi:' .. doi) }, 'https://doi.org/' .. doi), pandoc.Str(rest) }) end
+  if doi then return pandoc.Span({ pandoc.Link({ pandoc.Str('doi:' .. doi) }, 'https://doi.org/' .. doi:gsub('<', '%%3C'):gsub('>', '%%3E')), pandoc.Str(rest) }) end
   -- In chapter 23 such numbers are the chapters that explain a word: (04, 13).
   if page == '23-words' and str.text:match('^%(?%d%d%l?[,.;)]*$') then return link_number(str) end
 end
@@ -371,7 +371,7 @@ end
 local filter = { Link = Link, Inlines = Inlines, Math = Math, Blocks = Blocks }
 local function chapter(blocks, meta)
   if whole then page = names.page[pandoc.utils.stringify(blocks[1].content)] end
-  taken = anchor(blocks, whole and (page:match('^%d%d%l?%-') or page .. '-') or '')
+  taken = anchor(blocks, whole and (page:match('^%d%d%l?%-') or page .. '-') or '', page)
   if whole then blocks[1].identifier = page end
   if not meta.home and not meta.write then meta.side = pandoc.MetaBlocks({ block(side_of(blocks)) }) end
   local live = blocks:filter(is_live)

@@ -76,16 +76,19 @@ opened() {
     ' $here/openings.txt "chapters/woven/$page.md"
 }
 
+# The exercises of a chapter, in the order in which it tells of them (site.mk).
+exercises_of() { grep "^${1%%-*}-" "${BUILD:-build}/asked"; }
+
 # The tasks under their chapters, each a heading lower.
 tasks() {
     printf '# Exercises\n\n'
     cat $here/exercises.md
     for one in $(pages); do
-        ls exercises/"${one%%-*}"-*/README.md > "$part/of" 2> /dev/null || continue
+        exercises_of "$one" > "$part/of"
+        [ -s "$part/of" ] || continue
         printf '\n## %s\n\n%sThey belong to [chapter %s](%s.md).\n' "$(title "$one")" "$(still "$one")" "${one%%-*}" "$one"
-        while read -r task; do
-            id=${task#exercises/}
-            echo; sed 's/^#/###/' "$task"; where_written "${id%/README.md}"
+        while read -r id; do
+            echo; sed 's/^#/###/' "exercises/$id/README.md"; where_written "$id"
         done < "$part/of"
     done
 }
@@ -109,7 +112,7 @@ write() {
     cat "exercises/$page/README.md"
     printf '\nAt the desk this is `make exercise %s`, and [all exercises](exercises.html#%s) are on one page. It belongs to [chapter %s](%s.md).\n' \
         "$(echo "$page" | sed 's/-/\//')" "$page" "${page%%-*}" "$chapter"
-    after=$(ls exercises | grep '^0' | grep -A 1 -x "$page" | grep -vx "$page")
+    after=$(grep '^0' "${BUILD:-build}/asked" | grep -A 1 -x "$page" | grep -vx "$page")
     [ -z "$after" ] || printf '\nThe next is [%s](write-%s.html){.next}.\n' "$(sed -n '1s/^# //p' "exercises/$after/README.md")" "$after"
     figure=$(sed -n "s|^FIGURE_$page := \([^ ]*\) .*|\1|p" "${BUILD:-build}/workshop/parts.mk")
     [ -z "$figure" ] || { echo; grep -m 1 "^!\[.*figures/live/$figure\.webp)" "chapters/woven/$chapter.md"; }

@@ -36,7 +36,7 @@ $(BUILD)/phone.done: $(CHARTS_SITE) chapters/site/phone.mjs
 	$(Q)node chapters/site/phone.mjs $(foreach f,$(CHARTS_SITE),$f $(SITE)/$(f:.svg=-phone.svg)) && touch $@
 $(SITE_PAGES): | $(BUILD)/phone.done
 
-PAGE_TOOLS := $(wildcard chapters/site/*.lua) $(addprefix chapters/site/,page.awk page.sh page.html openings.txt) $(WORKSHOP)/with $(BUILD)/names
+PAGE_TOOLS := $(wildcard chapters/site/*.lua) $(addprefix chapters/site/,page.awk page.sh page.html openings.txt) $(WORKSHOP)/with $(BUILD)/names $(BUILD)/asked
 define page
 	@mkdir -p $(@D)
 	@echo "  page  $@"
@@ -87,6 +87,10 @@ $(BUILD)/places: FORCE
 	$(Q)cmp -s $@.new $@ || cp $@.new $@
 $(BUILD)/names: FORCE
 	$(Q)mkdir -p $(@D) && awk -f chapters/site/names.awk $(WOVEN:%=chapters/woven/%) > $@.new
+	$(Q)cmp -s $@.new $@ || cp $@.new $@
+# The exercises, in the order in which the chapters tell of them.
+$(BUILD)/asked: FORCE
+	$(Q)mkdir -p $(@D) && sed -n 's|^- `make exercise \([0-9a-z]*\)/\([0-9a-z_]*\)`.*|\1-\2|p' $(WOVEN:%=chapters/woven/%) > $@.new
 	$(Q)cmp -s $@.new $@ || cp $@.new $@
 define source
 $(SITE)/source/$(subst /,-,$1).html: $1 chapters/site/source.awk $(BUILD)/places

@@ -18,6 +18,7 @@ define LIVES
 04/regions
 05/epa
 06/tree
+06/enclose
 07/shares
 07/cone
 08/blow

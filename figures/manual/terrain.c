@@ -63,7 +63,7 @@ static int laws(tumble_world *w, example_law *is)
 
 const example terrain = {
     .name = "terrain", .about = "boulders on heights", .seconds = 20,
-    .eye = { 4, 18, 26 }, .target = { -2, 1, 0 },
+    .eye = { 8, 27, 42 }, .target = { 0, 1, 0 },
     .build = build, .act = act,
     .claim = "a ball rolls as on a plane, and none gets into the ground",
     .laws = laws, .most = 1e-3 };

@@ -83,7 +83,7 @@ static int laws(tumble_world *w, example_law *is)
 
 const example walker_scene = {
     .name = "walker", .about = "climbs, slides and pushes", .seconds = 7,
-    .has_floor = true, .eye = { 1, 6, 10 }, .target = { 7.8, 1.8, 1 },
+    .has_floor = true, .eye = { -0.7, 7.2, 12.2 }, .target = { 7.8, 1.8, 1 },
     .build = build, .act = act,
     .claim = "it climbs, and slides along a wall as a projection says",
     .laws = laws, .most = 1e-6 };

@@ -52,5 +52,5 @@ static double stuck(tumble_world *w)
 
 const example marbles = {
     .name = "marbles", .about = "a hundred through a funnel", .seconds = 10,
-    .has_floor = true, .eye = { 2.6, 3.6, 3.4 }, .target = { 0, 1.5, 0 },
+    .has_floor = true, .eye = { 3.7, 4.5, 4.8 }, .target = { 0, 1.5, 0 },
     .build = build, .claim = "all have come through", .error = stuck };

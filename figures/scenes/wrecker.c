@@ -50,6 +50,6 @@ static double spared(tumble_world *w)
 
 const example wrecker = {
     .name = "wrecker", .about = "a ball on a chain, and a wall", .seconds = 6,
-    .has_floor = true, .eye = { 9, 5, 9 }, .target = { 0, 2.2, 0 },
+    .has_floor = true, .eye = { 6, 5, 11 }, .target = { 0, 2.2, 0 },
     .build = build, .claim = "ten bricks or more were moved by half a metre",
     .error = spared };

@@ -9,7 +9,14 @@ import { perform } from './perform.js';
 import { unpack, unpackAll } from './unpack.js';
 
 const JUDGE = ['page_list', 'page_run', 'page_room'], STAGE = ['page_begin', 'page_hash'];
+// What the linker does not find, in a sentence.
+function missing(text) {
+  const all = [...text.matchAll(/(\S+): undefined symbol: (\w+)/g)].map(([, file, name]) => file.endsWith('mine.o')
+    ? `Your file calls ${name}, which is not there.` : `The function ${name} is missing from your file.`);
+  return [...new Set(all)].join(' ');
+}
 const must = ({ wasm, text }) => {
+  if (!wasm && missing(text)) throw Error(missing(text));
   if (!wasm) throw Error(text.trim().split('\n').slice(0, 3).map(line => line.replace(/^wasm-ld: error: |mine\.o: /g, '')).join('; '));
   return wasm;
 };

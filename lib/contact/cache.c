@@ -575,7 +575,6 @@ static void query(contact_cache *c, const cache_frame *f, cache_pair *p)
     contact was, *now = &e->contact;
     bool bequeaths = p->count > 0;
     if (bequeaths) was = *now;
-    else was.count = 0;
     if (now->piece_b < 0) query_wall(c, f, p, now);
     else                  query_bodies(c, f, p, e);
     p->count = (signed char)now->count;
@@ -583,7 +582,7 @@ static void query(contact_cache *c, const cache_frame *f, cache_pair *p)
     p->is_merged = false;
     // For seams that find a contact on a floor again.
     if (now->piece_b >= 0 && seams_slider(f, now->piece_a, now->piece_b) >= 0)
-        c->was[p->entry] = was;
+        c->was[p->entry] = bequeaths ? was : (contact){ .count = 0 };
     if (bequeaths) contact_inherit(now, &was);
     else           contact_clear(now);
 }

@@ -1137,11 +1137,10 @@ void linkage_begin(linkage *l, const linkage_pass *q)
 // than once, as Newton does.
 enum { IMPACT_STEPS = 3 };                  // tuned, steps
 
-void linkage_push(linkage *l, const linkage_pass *q, bool is_last)
+void linkage_push(linkage *l, const linkage_pass *q)
 {
-    int rounds = is_last ? IMPACT_STEPS : 1;
-    if (l->is_driven)   settle(l, q, want_driven_together, rounds);
-    else                settle(l, q, want_together, rounds);
+    if (l->is_driven)   settle(l, q, want_driven_together, IMPACT_STEPS);
+    else                settle(l, q, want_together, IMPACT_STEPS);
 }
 //<
 

@@ -135,9 +135,9 @@ void linkage_scale(linkage *l, real times);
 // (warm starting);
 void linkage_begin(linkage *l, const linkage_pass *q);
 
-// brings the joints together by its end: by one solve before the contacts push,
-// and to the last after them, so that an impact does not pull a joint apart;
-void linkage_push(linkage *l, const linkage_pass *q, bool is_last);
+// brings the joints together by its end; before the contacts push, and once
+// more after them, so that an impact does not pull a joint apart;
+void linkage_push(linkage *l, const linkage_pass *q);
 
 // puts a joined body where it goes;
 void linkage_go(linkage *l, const linkage_pass *q, int b, solver_body *now);

@@ -135,7 +135,7 @@ START_TEST(impulses_are_handed_from_body_to_body)
         if (after) {
             linkage_prepare(&l, &q);
             linkage_begin(&l, &q);
-            linkage_push(&l, &q, true);
+            linkage_push(&l, &q);
             linkage_relax(&l, &q);
         }
         for (int b = 0; b < BODIES; b++) {
@@ -173,7 +173,7 @@ START_TEST(limit_gives_back_what_it_pushed_too_much)
     j->impulse[5] = 1e-3;
     linkage_prepare(&l, &q);
     linkage_begin(&l, &q);
-    linkage_push(&l, &q, true);
+    linkage_push(&l, &q);
     linkage_relax(&l, &q);
     ck_assert_msg(j->impulse[5] >= 0, "it pulls: %g", j->impulse[5]);
     ck_assert(vec3_dot(axis, motion_rotation(&solid[0].basis, &velocity[0]))
@@ -186,7 +186,7 @@ static void run_substep(const linkage_pass *q)
 {
     linkage_prepare(&l, q);
     linkage_begin(&l, q);
-    linkage_push(&l, q, true);
+    linkage_push(&l, q);
     linkage_relax(&l, q);
 }
 
@@ -244,7 +244,7 @@ START_TEST(nothing_joined_costs_nothing)
     linkage_pass q = pass();
     linkage_prepare(&l, &q);
     linkage_begin(&l, &q);
-    linkage_push(&l, &q, true);
+    linkage_push(&l, &q);
     linkage_relax(&l, &q);
     ck_assert(!linkage_has(&l, 0));
     linkage_find_apart(&l);

@@ -249,6 +249,20 @@ static void place_aside(const pile *p, rigid_frame placed[PILE_BODIES])
     }
 }
 
+// Where the plain solver alone, from velocities a rounding or two off, ends
+// elsewhere, a rounding has decided whether a contact is soft, or bounces.
+static bool is_decided_by_rounding(const pile *start, const pile *end,
+                                   int substeps)
+{
+    static pile near, far;
+    near = *start;
+    for (int b = 0; b < near.frame.bodies; b++)
+        for (int k = 0; k < MOTIONS; k++) near.velocity[b].of[k] *= 1 + 1e-14;
+    far = near;
+    run_both(&near, &far, substeps);
+    return difference(&far, end) > SAME;
+}
+
 // Rejects: a lane in another lane's place; a row of another body, or of where it
 // stood before, or stands now though it lies; a point left out; friction about another centre; a mass without
 // the turns of one side; a spring that is not that of its kind of contact.
@@ -256,7 +270,9 @@ START_TEST(blocks_find_the_impulses_of_the_plain_solver)
 {
     static rigid_frame placed[PILE_BODIES];
     static char some[PILE_BODIES];
+    static pile start;
     real worst = 0;
+    int left_out = 0;
     for (int n = 0; n < 300; n++) {
         int bodies = 2 + n % 60;
         pile_any(&one, bodies, any_below(3 * bodies), n % 3);
@@ -268,12 +284,17 @@ START_TEST(blocks_find_the_impulses_of_the_plain_solver)
         for (int b = 0; b < bodies; b++) some[b] = any_below(2) == 0;
         if (n % 2) one.frame.rows_at = placed;
         if (n % 2) one.frame.is_elsewhere = some;
-        other = one;
+        start = other = one;
         run_both(&one, &other, 1 + n % 8);
-        if (one.contacts > 0) worst = fmax(worst, difference(&one, &other));
+        real off = one.contacts > 0 ? difference(&one, &other) : 0;
+        bool is_chance = off > SAME
+                      && is_decided_by_rounding(&start, &other, 1 + n % 8);
+        left_out += is_chance;
+        if (!is_chance) worst = fmax(worst, off);
     }
     printf("blocks and the plain solver: off by %.2g\n", worst);
     ck_assert_msg(worst <= SAME, "off by %g", worst);
+    ck_assert_int_le(left_out, 3);
 }
 END_TEST
 

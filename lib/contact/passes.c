@@ -274,15 +274,19 @@ static bool all_lies(const contact_solver *s, const block *k,
     return !real4_any(open);
 }
 
-// A mass M that rests on m falls for sqrt(M / m) substeps until the warm start bears
-// it.  What closes faster than that makes it strikes.
+// Is one body of a contact heavier than the other?  A mass M that rests on m falls
+// for sqrt(M / m) substeps until the warm start bears it.  What closes faster than
+// that makes it strikes.  (Of bodies that are alike a pass takes most of a blow.)
 static void find_uneven(block *k)
 {
     k->uneven = k->closing = real4_all(0);
+    k->is_uneven = false;
     for (int l = 0; l < REAL4 && k->two && !k->is_driven; l++) {
         real a = real4_get(&k->inverse_a, l), b = real4_get(&k->inverse_b, l);
-        if (k->contact[l] < 0) continue;
-        real4_set(&k->uneven, l, sqrt(real_max(a / b, b / a)));
+        real ratio = a > b ? a / b : b / a;
+        if (k->contact[l] < 0 || !(ratio > 1)) continue;
+        real4_set(&k->uneven, l, sqrt(ratio));
+        k->is_uneven = true;
     }
 }
 
@@ -664,14 +668,15 @@ static inline real4 leave_impacts(const block *k, const solver_pass *q, real4 sp
 //<
 
 //> passes-closing
-//>   How fast do two that yield close when the pass is over ([`blow`
-//>   ](lib-blow.md))? Slower ones the warm start bears soon.
+//>   Where a heavy body strikes a light one, how fast do they close when the pass
+//>   is over ([`blow`](lib-blow.md))? Slower ones the
+//>   warm start bears soon.
 static void find_strike(block *k, const solver_pass *q, bool two)
 {
     const real4 zero = real4_all(0), per_h = real4_all(q->per_h);
     real4 closing = zero;
     k->closing = zero;
-    if (k->is_driven || k->is_stale) return;
+    if (!k->is_uneven || k->is_stale) return;
     sides4 u = take_sides(k, q->velocity, two);
     real4 parting = part_centers(k->normal, &u, two);
     real4 slowest = real4_mul(k->uneven, real4_all(q->slowest));

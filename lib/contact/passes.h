@@ -143,6 +143,7 @@ typedef struct {
     int   points;                       // of the contact that has most
     bool  two;                          // both sides move,
     bool  is_driven;                    // but B is driven
+    bool  is_uneven;                    // a heavy body meets a light one
     bool  is_struck;                    // there was a blow
     int   in_blow;                      // a bit a lane, while it is found
     bool  rubs;                         // friction's impulses may not be 0

@@ -97,23 +97,8 @@ static real stiffness_in(const soft_frame *f, real stiffness)
     return stiffness / (stiffness + (1 - stiffness) * times * times);
 }
 
-// Threads that give get longer, and their cell with them: that is no shear.  m, what
-// the diagonal from a to b has if the four sides, as they are, meet at right angles.
-static real square_diagonal(const particle *p, int columns, int a, int b)
-{
-    int c = a - a % columns + b % columns, d = b - b % columns + a % columns;
-    const int ring[5] = { a, c, b, d, a };
-    real sum = 0;
-    for (int k = 0; k < 4; k++) {
-        vec3 side = vec3_sub(p[ring[k + 1]].position, p[ring[k]].position);
-        sum += vec3_length_squared(side);
-    }
-    return sqrt(sum / 2);
-}
-
-// A corrected share of what each is off, along what it is now.  gives: of a cloth
-// of so many columns whose threads get longer; 0: they do not.
-static void draw(const stick *s, int n, real stiffness, int gives, particle *p)
+// A corrected share of what each is off, along what it is now.
+static void draw(const stick *s, int n, real stiffness, particle *p)
 {
     for (int k = 0; k < n; k++) {
         particle *a = &p[s[k].a], *b = &p[s[k].b];
@@ -121,9 +106,7 @@ static void draw(const stick *s, int n, real stiffness, int gives, particle *p)
         real length = vec3_length(along);
         real divisor = length * (a->inverse_mass + b->inverse_mass);
         if (!(divisor > 0)) continue;
-        real rest = gives ? square_diagonal(p, gives, s[k].a, s[k].b)
-                          : s[k].rest_length;
-        real pull = stiffness * (length - rest) / divisor;
+        real pull = stiffness * (length - s[k].rest_length) / divisor;
         a->position = vec3_add_scaled(a->position, pull * a->inverse_mass,
                                       along);
         b->position = vec3_add_scaled(b->position, -pull * b->inverse_mass,
@@ -140,8 +123,7 @@ static void draw_diagonals(soft_solver *s, const soft_frame *f, const body *b)
     if (others == 0) return;
     const stick *diagonal = plan->stick + links;
     real stiffness = stiffness_in(f, diagonal->stiffness);
-    draw(diagonal, others, stiffness, b->compliance > 0 ? plan->columns : 0,
-         f->particle + b->first);
+    draw(diagonal, others, stiffness, f->particle + b->first);
     spread_cells(f, (int)(b - f->body));
     s->tested += others;
     s->relaxed += others;

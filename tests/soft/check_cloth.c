@@ -612,36 +612,6 @@ START_TEST(hanging_rope_is_stretched_by_its_load)
 }
 END_TEST
 
-// Four cells, of which all but the middle is pinned.  It sags by s, and four threads
-// of length l, with a pull of (l - L) / give, lift m g = 4 pull s / l, whatever the
-// substeps.
-// Rejects: diagonals that keep their length where threads get longer.
-START_TEST(net_that_gives_is_borne_by_its_threads)
-{
-    const int substeps[] = { 8, 64 };
-    const real compliance = 0.01, give = compliance / (2.0 / 3);
-    shape net;
-    ck_assert(shape_cloth(&net, 3, 3, 2, 2, 5, 0.2).ok);
-    for (int k = 0; k < 2; k++) {
-        world_options o = world_options_default();
-        o.substeps = substeps[k];
-        begin(o);
-        int b = add_at(&net, 0, 0, 0);
-        w.body[b].damping = 5;
-        ck_assert(world_stretch(&w, b, compliance).ok);
-        for (int i = 0; i < 9; i++) if (i != 4) world_pin(&w, b, i);
-        real weight = 9.81 / particle_of(b, 4)->inverse_mass;
-        frames(150);
-        real s = -particle_of(b, 4)->position.y, l = hypot(1, s);
-        real lift = 4 * (l - 1) / give * s / l;
-        ck_assert_msg(fabs(lift / weight - 1) < 0.05, "%d substeps: the threads"
-                      " lift %g N of %g, sag %g m", o.substeps, lift, weight, s);
-        world_free(&w);
-    }
-    shape_free(&net);
-}
-END_TEST
-
 // A stretched rope that is let go shrinks, and swings: it has no more energy
 // than it was given, and momentum stays.
 // Rejects: an explicit spring; a pull without its counterpart.
@@ -745,7 +715,6 @@ int main(void)
         cloth_bounces_particle_by_particle,
         card_sags_by_its_stiffness,
         hanging_rope_is_stretched_by_its_load,
-        net_that_gives_is_borne_by_its_threads,
         what_links_have_stored_is_in_the_books,
         stiffness_is_a_finite_number,
         bends_are_in_the_books,

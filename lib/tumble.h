@@ -608,7 +608,7 @@ bool tumble_joint_set_servo(tumble_world *w, tumble_joint j, double place,
                             double hertz, double ratio, double force);
 
 // N: a joint that has to bear more breaks, and is gone; 0: it never does.  Cloth and
-// rope themselves do not tear, but what they hang on by may.
+// rope themselves do not tear, but the joints by which they hang may break.
 bool tumble_joint_set_strength(tumble_world *w, tumble_joint j, double force);
 
 // May the two bodies of a joint push each other, as if they were not joined?  A new
@@ -720,9 +720,9 @@ typedef struct {
 // what runs into a wall is, only tumble_world_impulses has.
 int tumble_world_contacts(const tumble_world *w, tumble_contact *out, int most);
 
-// Which began or ended to touch since this was last asked?  It compares who touches
-// now with who did then: of a ball that has come, bounced and gone in between, as off a
-// bumper, it knows nothing, and tumble_world_impulses does.
+// Which began or ended to touch since this was last asked?  It compares what touches
+// now with what did then.  A ball that came, bounced and left in between, as off a
+// bumper, is in neither list; tumble_world_impulses has it.
 typedef struct {
     tumble_body a, b;
     bool begins;

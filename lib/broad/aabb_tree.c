@@ -42,7 +42,7 @@ static real middle_of_three(real a, real b, real c)
 
 // Moves things low to high so that those before `at` are no further along the
 // axis than the others.  (FIND, Hoare 1961.  Each round leaves out one thing at
-// least, and mostly half of them.)
+// least, so that there are n of them at worst; mostly it is half of what is left.)
 static void divide(aabb_tree *t, int low, int high, int at, int axis)
 {
     aabb *b = t->around;

@@ -46,8 +46,8 @@ static inline aabb aabb_empty(void)
                   { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL } };
 }
 
-// In a leaf.  The fewer, the fewer things are compared, and the more memory the
-// boxes take.
+// Things in a leaf.  With fewer of them fewer are compared, and boxes take more
+// memory.
 enum { A_LEAF = 4 };                        // tuned, things
 
 // All leaves are equally deep: leaf k, whose box is leaves + k, has the things
@@ -62,14 +62,15 @@ typedef struct {
 //<
 
 //> aabb-tree-declare
-// So many leaves has a tree of so many things, at most 2^30.
+// How many leaves a tree of so many things has.  Requires: things <= 2^30.
 int aabb_tree_leaves(int things);
 
 // Makes the tree of t->things things, which stand in any order, and moves them to
 // their leaves; t->node has room for it.
 void aabb_tree_build(aabb_tree *t);
 
-// The box around thing k is another one; or it has come, at the end.
+// t->around[k] has changed, or thing k is new and the last: the boxes above it
+// follow.
 void aabb_tree_put(aabb_tree *t, int k);
 
 static inline int aabb_tree_end(const aabb_tree *t, int leaf)

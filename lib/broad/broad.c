@@ -84,6 +84,8 @@ static aabb box_of_ball(sphere ball)
 //<
 
 //> broad-plant
+//>   All balls are planted at once; one that has become another is put where it
+//>   was, and the boxes above it follow.
 static void plant(broad *s, const sphere *ball)
 {
     aabb_tree *t = &s->tree;
@@ -233,6 +235,7 @@ int broad_pairs_all(const sphere *ball, const char *moves, int bodies,
 //<
 
 //> broad-pairs
+//>   All of it together.
 int broad_pairs(broad *s, const sphere *ball, const char *moves,
                 int (*out)[2], int capacity)
 {

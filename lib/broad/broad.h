@@ -12,8 +12,8 @@
 #include "sphere_tree.h"
 
 typedef struct broad {
-    int  bodies, room;  // so many there are, and for so many there is room
-    aabb_tree tree;      // of all balls that are not empty, and what has come since
+    int  bodies, room;  // how many there are, and for how many there is room
+    aabb_tree tree;     // of all balls that are not empty, and what has come since
     int *place;         // [bodies] where each is in the tree; -1: nowhere
     int *first, *next;  // [bodies] scratch of the sorting of pairs
 } broad;
@@ -37,7 +37,7 @@ typedef struct broad {
 status broad_grow(broad *s, int bodies);
 void   broad_free(broad *s);            // an empty or zeroed one is fine
 
-// Plants the tree of all these balls.  Writes the pairs (a, b), a < b, of those
+// Builds the tree of all these balls.  Writes the pairs (a, b), a < b, of those
 // that touch or overlap, where at least one moves, sorted by a, then by b, to out:
 // the first of them in that order, at most capacity.  Returns how many there are
 // (INT_MAX if there are more).  A ball of negative radius meets none; one that is
@@ -45,13 +45,13 @@ void   broad_free(broad *s);            // an empty or zeroed one is fine
 int broad_pairs(broad *s, const sphere *ball, const char *moves,
                 int (*out)[2], int capacity);
 
-// Ball b is another one now, or has come.  Returns false if the tree has no room
-// for it.
+// Tells the tree that ball b has changed, or is new.  Returns false if it is new
+// and the tree has no room for it.
 bool broad_put(broad *s, const sphere *ball, int b);
 
 // Adds to out, where there are `found` pairs already, those of body b, in any
-// order; but none with a lower one that is_asked, too.  Returns how many there are
-// then.
+// order.  A pair of two that are both in is_asked is left to the lower one.  Returns
+// how many pairs there are then, stored or not.
 int broad_near(const broad *s, const sphere *ball, const char *moves,
                const bool *is_asked, int b, int (*out)[2], int capacity,
                int found);

@@ -25,7 +25,7 @@ typedef struct {
     real thickness;     // m, at most, if `down` is zero
     real *deep;         // [triangles] m, then: no more than half of the way to
                         // what is behind, but at least a hundredth of that
-    aabb_tree prisms;    // of triangles that have an area
+    aabb_tree prisms;   // of triangles that have an area
 } surface;
 //<
 
@@ -80,5 +80,6 @@ status surface_shape(const surface *s, int triangle, shape *made,
 
 // Calls q->meets for all triangles asked for, the nearer boxes first.
 void   surface_ask(const surface *s, surface_query *q);
+
 #endif
 //<

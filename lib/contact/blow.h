@@ -3,7 +3,7 @@
 //
 // Paper: not asked.  Book: chapter 15.
 // The passes see one contact after the other: of a heavy ball that falls on a
-// light box they take what the box weighs, and give that back in the next
+// light box they take what the box alone bears, and give that back in the next
 // substep.  So the ball comes up again, as from a spring.  Here ball, box and
 // ground are solved together, once, directly.
 // Units: metres, kilograms, seconds.  Normals point from B to A.

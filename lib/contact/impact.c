@@ -2,6 +2,8 @@
 //>   Contacts that bounce and blows have the same rows.
 #include "impact.h"
 
+#include <assert.h>
+
 enum { A = IMPACT_A, B = IMPACT_B };
 
 real impact_parting(const impact_row *r, const motion *velocity)
@@ -49,6 +51,7 @@ void impact_push(const impact_row *r, real impulse, motion *velocity)
 
 void impact_add(impact_set *w, const impact_row *r, real parting)
 {
+    assert(w->rows < IMPACT_ROWS);
     int i = w->rows++;
     w->row[i] = *r;
     w->impulse[i] = w->given[i] = 0;

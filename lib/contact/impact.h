@@ -23,7 +23,7 @@ typedef struct {
     real turn[IMPACT_SIDES][TURNS]; // kg^(-1/2)
 } impact_row;
 
-// How fast A and B part along a row.
+// m/s, how fast A and B part along a row; < 0: they close.
 real impact_parting(const impact_row *r, const motion *velocity);
 
 // How fast a unit impulse along one parts those of the other.
@@ -31,11 +31,11 @@ real impact_product(const impact_row *r, const impact_row *s);
 
 void impact_push(const impact_row *r, real impulse, motion *velocity);
 
-// A body has as many colours.
+// At most so many rows are stopped together.
 enum { IMPACT_ROWS = 64 };
 
 typedef struct {
-    int  rows, count, good;         // of the set, so many are factored
+    int  rows, count, good;         // rows; of these in the set; of these factored
     impact_row row[IMPACT_ROWS];
     real part[IMPACT_ROWS];         // m/s, how it parts without any impulse
     real impulse[IMPACT_ROWS], given[IMPACT_ROWS];      // N s
@@ -49,7 +49,8 @@ static inline void impact_begin(impact_set *w)
     w->rows = w->count = w->good = 0;
 }
 
-// With what has been given, it parts so fast now (m/s).
+// Adds a row that parts at this speed now (m/s), after what has been given so far.
+// Requires: w->rows < IMPACT_ROWS.
 void impact_add(impact_set *w, const impact_row *r, real parting);
 
 // The impulses >= 0 that leave no row closing, to rounding: none that pushes parts,

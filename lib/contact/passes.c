@@ -274,9 +274,10 @@ static bool all_lies(const contact_solver *s, const block *k,
     return !real4_any(open);
 }
 
-// Is one body of a contact heavier than the other?  A mass M that rests on m falls
-// for sqrt(M / m) substeps until the warm start bears it.  What closes faster than
-// that makes it strikes.  (Of bodies that are alike a pass takes most of a blow.)
+// Is one body of a contact heavier than the other, by more than rounding?  A mass M
+// that is put on m falls at up to sqrt(M / m) g h until the warm start bears it
+// (chapter 15).  What closes twice as fast is a blow.  (Of like bodies a pass takes
+// most of a blow.)
 static void find_uneven(block *k)
 {
     k->uneven = k->closing = real4_all(0);
@@ -284,7 +285,7 @@ static void find_uneven(block *k)
     for (int l = 0; l < REAL4 && k->two && !k->is_driven; l++) {
         real a = real4_get(&k->inverse_a, l), b = real4_get(&k->inverse_b, l);
         real ratio = a > b ? a / b : b / a;
-        if (k->contact[l] < 0 || !(ratio > 1)) continue;
+        if (k->contact[l] < 0 || !(ratio > 1 + 0x1p-40)) continue;
         real4_set(&k->uneven, l, sqrt(ratio));
         k->is_uneven = true;
     }

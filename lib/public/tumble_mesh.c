@@ -75,7 +75,7 @@ typedef struct {
     sphere ball;
     vec3 way;           // m
     real beside;        // m, how far any of it gets out of the ball beside that
-    aabb reach;  // around all that
+    aabb reach;         // around all that
 } presence;
 
 // m, how far a rope or cloth may get out of its ball.

@@ -171,10 +171,10 @@ rigid_frame motion_frame(const rigid_frame *frame, const motion_basis *basis,
 typedef struct {
     real scale[TURNS];      // motion_basis.turn beside frame.axis
     real length[TURNS];     // m, of frame.axis
-    real root[TURNS];       // kg^(-1/2) / m, the root of
+    real root[TURNS];       // kg^(-1/2) / m, the square root of inverse
     real inverse[TURNS];    // 1/(kg m^2), one over each moment of inertia
     real angular[TURNS];    // kg m^2/s
-    real w, turned[TURNS];
+    real w, turned[TURNS];  // 1, the quaternion: its number and its vector
 } turning;
 
 // As a ball turns with these moments: about its angular momentum.
@@ -188,7 +188,7 @@ static void turn_ball(turning *x, real inverse, real h)
     x->turned[0] = now.x, x->turned[1] = now.y, x->turned[2] = now.z;
 }
 
-// A quaternion of many moves has length 1 again, before it is too long.
+// Each move makes the quaternion longer: here it has length 1 again.
 static void shorten(turning *x)
 {
     real *v = x->turned;
@@ -220,7 +220,7 @@ static void turn_about(turning *x, int k, int i, int j, real inverse, real h)
 //>   Which two moments are nearest to each other?
 // Of the three moments two are nearest to each other, `ball` and `like`.
 typedef struct {
-    int ball, like, odd;    // right-handed
+    int ball, like, odd;    // in cyclic order, so that axes are right-handed
 } moments;
 
 static moments compare_moments(const turning *x)

@@ -1198,8 +1198,8 @@ line_result line_solve(strands s, particle *p, int steps,
 }
 
 // What one direction of a cloth does the other half undoes: sweep after sweep.
-// Of what a first sweep has left, all but the last ask for more than it is.
-// (Along the old links that would be taken for failure.)  A rope has only one
+// After the first sweep all but the last ask for more than the error.  (Along
+// the old links a larger error would be taken for failure.)  A rope has only one
 // direction, and no need; it takes more than a step only where it touches
 // something.
 static const real MORE = 1.2;               // tuned, 1

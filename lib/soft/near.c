@@ -388,23 +388,24 @@ static void note_places(near_lists *l, const soft_frame *f, int b)
 }
 
 // Where two begin nearer than touching, nothing has pressed them there, and to
-// be pushed out at once would throw them apart.  They keep the gap that is there,
+// be pushed out at once would throw them apart.  Each keeps the least gap that it has.
 static void find_gaps(near_lists *l, const soft_frame *f)
 {
     for (int k = 0; k < l->pairs; k++) {
         const particle_contact *c = &l->pair[k];
         real *a = &l->gap[f->owner[c->a]], *b = &l->gap[f->owner[c->b]];
         real apart = vec3_distance(l->at[c->a], l->at[c->b]) / c->distance;
-        if (a != b && *a > 1) *a = real_min(*a, 1 + apart);
-        if (a != b && *b > 1) *b = real_min(*b, 1 + apart);
+        if (a == b || !(apart < 1)) continue;
+        if (*a > 1) *a = real_min(*a, 2 + apart);
+        if (*b > 1) *b = real_min(*b, 2 + apart);
     }
     for (int n = 0; n < l->softs; n++) {
         real *gap = &l->gap[l->soft[n]];
-        if (*gap > 1) *gap -= 1;
+        if (*gap > 1) *gap -= 2;
     }
 }
 
-// and a second later they touch as others do.
+// It widens by so much a second that after one they touch as others do.
 static void widen_gaps(near_lists *l, const soft_frame *f)
 {
     for (int n = 0; n < l->softs; n++) {
@@ -648,7 +649,7 @@ status near_add(near_lists *l, const body *all, int b, int bodies,
     int k = l->softs++;
     for (; k > 0 && l->soft[k - 1] > b; k--) l->soft[k] = l->soft[k - 1];
     l->soft[k] = b;
-    l->gap[b] = 2;
+    l->gap[b] = 3;
     l->soft_particles += n;
     l->margin = fmin(l->margin, margin_of(x));
     return done;

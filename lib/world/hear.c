@@ -1,6 +1,6 @@
 //> hear-write
-//>   A contact has a line of a table, to which each substep adds what it gave; those
-//>   that were done again do not. Where it was is asked once, for that costs more than
+//>   A contact has a line of a table, to which each substep adds what the contact gave;
+//>   a substep that is done again counts once. Where it was is asked once, for that costs more than
 //>   the sum. Every impact is one more line.
 #include "hear.h"
 #include "table.h"
@@ -30,8 +30,8 @@ static void write(world *w, const contact *c, real impulse)
                                             c->normal, impulse };
 }
 
-// A line for each contact of the rung, in their order.  If there is no memory, none
-// is written.
+// A line for each contact of the rung, in their order.  If there is no memory,
+// this substep is not written, and the next one tries again.
 static bool begin_lines(world *w)
 {
     rigid_tables *t = &w->rigid;

@@ -1,5 +1,5 @@
 //> rolling
-//>   It acts only on what turns slowly, and would come to rest: not on what slides
+//>   It acts on what rolls slowly, or spins on its point: not on what slides
 //>   still, nor on what a slope pulls along
 //>   (`ball_rolls_down_a_slope_with_five_sevenths`).
 #include "rolling.h"
@@ -78,7 +78,8 @@ static void brake(rigid_tables *t, const contact *c, vec3 spin, real most)
     if (c->b >= 0) motion_twist(&t->velocity[c->b], b, impulse);
 }
 
-// It rolls, and it spins on its point: as fast as it likes, if the two are smooth.
+// The spin across the normal is rolling; that about it is braked if there is
+// friction.
 static void brake_both(world *w, const contact *c, real load)
 {
     rigid_tables *t = &w->rigid;

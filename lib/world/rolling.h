@@ -14,7 +14,7 @@
 // does that gives way a little: with a torque of a hundredth of the load times
 // the radius, and no more than stops it.  Slow is up to 30 times the speed at
 // which bodies fall asleep.  Spinning on a point, at any speed, is braked by as much
-// again, unless the two are smooth.  In a world without sleep neither is.  After
+// again, unless there is no friction.  In a world without sleep neither is braked.  After
 // the substeps of a frame.
 void rolling_brake(world *w);
 

@@ -193,7 +193,7 @@ static void add_layer(const rigid_tables *t, int b, vec3 down, island *i)
     i->bodies++;
 }
 
-// N: with what gravity and forces pull at a body.
+// Adds how hard (N) gravity and forces pull at a body.
 static void add_pull(const world *w, int b, island *i)
 {
     const rigid_tables *t = &w->rigid;
@@ -220,10 +220,10 @@ static void find_lifts(world *w)
     }
 }
 
-// In what is calm no contact bears more than all that pulls at the island, or
-// than all together that carries it.  What is more is a jam: whatever stands on
-// both sides of it presses it, and springs that are stiffer, in shorter
-// substeps, are pressed harder.
+// In a calm island no contact bears more than the sum of all that pulls at its
+// bodies, or than the sum of what carries it.  More than that is a jam between
+// immovable sides.  Shorter substeps would not help: they make springs stiffer,
+// and the jam presses them harder.
 static real borne_by(const rigid_tables *t, const active_contact *x,
                      const island *i)
 {

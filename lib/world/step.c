@@ -457,9 +457,14 @@ static void find_pairs(world *w)
 {
     real passed = 0;
     w->rigid.is_new_list = list_pairs(w, pair_list_update);
-    // Each round wakes a sleeper, and none falls asleep.
-    while (wake_sleepers(w, &passed))
+    // Each round wakes a sleeper, and none falls asleep.  Once one has woken, the
+    // list is that of all pairs: the others are woken along it.
+    bool woke = wake_sleepers(w, &passed);
+    while (woke) {
         w->rigid.is_new_list |= list_pairs(w, pair_list_wake);
+        woke = false;
+        while (wake_sleepers(w, &passed)) woke = true;
+    }
 }
 //<
 

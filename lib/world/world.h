@@ -167,9 +167,9 @@ typedef struct {
     int  ground;        // the driven body that it touches; -1: none
     bool rests;         // it touches something at rest, or is joined to it
     real lift;          // N m/s, of all contacts that bear this one body
+    real pulls;         // N, how hard gravity and forces pull, summed over bodies
+    vec3 carried;       // N, what planes, static and driven bodies push it with
     real weight;        // 1/s^2, the largest of its contacts, see solver.h, and
-    real pulls;         // N, gravity and forces, each body's for itself, and the
-    vec3 carried;       // sum of what outside pushes it with
     real squares;       // the sum of the squares of what they bear,
     int  bears;         // which are so many
     real low, high;     // m, along gravity, how far its bodies reach,

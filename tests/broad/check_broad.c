@@ -100,7 +100,7 @@ static void same_pairs(int n)
                       found[k][0], found[k][1], wanted[k][0], wanted[k][1]);
 }
 
-// Sorted and all pairs have the same answer; returns how many there are.
+// The tree and all pairs have the same answer; returns how many there are.
 static int agreed(int capacity)
 {
     int n = broad_pairs(&s, ball, moves, found, capacity);
@@ -120,7 +120,7 @@ static int has(int a, int b)
 
 // --- the answer --------------------------------------------------------------
 
-// Rejects: pairs in the order of the sweep; (b, a) for (a, b); pairs of balls
+// Rejects: pairs in the order of the tree; (b, a) for (a, b); pairs of balls
 // that only overlap along x.
 START_TEST(neighbours_are_found_in_order)
 {
@@ -139,8 +139,8 @@ END_TEST
 
 // Whole numbers have no rounding, and many of these balls touch exactly or
 // begin at the same place.  The oracle counts in int.
-// Rejects: any error that both ways share; < for <= in the sphere test or in
-// the sweep.
+// Rejects: any error that both ways share; < for <= for spheres or
+// for boxes.
 START_TEST(balls_of_whole_numbers_are_judged_exactly)
 {
     for (int round = 0; round < 3000; round++) {
@@ -173,7 +173,7 @@ START_TEST(balls_of_whole_numbers_are_judged_exactly)
 END_TEST
 
 // Near 0 rounding leaves no room for ends that are set further out.
-// Rejects: a test that is strict, or generous; a sweep that stops too early.
+// Rejects: a test that is strict, or generous; boxes that are too small.
 START_TEST(exact_touch_is_found_and_a_hair_less_is_not)
 {
     static const real size[] = { 1, 0x1p-1060 };
@@ -252,7 +252,7 @@ START_TEST(small_scenes_agree)
     for (int round = 0; round < SMALL_SCENES; round++) {
         begin_kind(random_below(&seed, 90), round % 6);
         int n = agreed(MOST_PAIRS);
-        // Again, now from an order that is right, and with too little room.
+        // Again, with too little room.
         agreed(random_below(&seed, n + 1));
     }
 }
@@ -358,7 +358,7 @@ static void begin_row(sphere fourth)
 }
 
 // Rejects: a sphere test that squares the sum of the radii and looks no
-// further; an empty ball in the way of the sweep.
+// further; an empty ball in the tree.
 START_TEST(ball_of_negative_radius_meets_nobody)
 {
     static const real radius[] = { -1e-300, -0.25, -1, -1e300, -HUGE_VAL };
@@ -377,7 +377,7 @@ START_TEST(ball_of_negative_radius_meets_nobody)
 END_TEST
 
 // Rejects: a NaN that is compared once, found not to be greater or not to be
-// less, and is lost, or ends up anywhere and spoils the order of the others.
+// less, and is lost, or ends up anywhere and spoils the boxes of the others.
 START_TEST(ball_that_is_nan_meets_everybody_else_and_spoils_nothing)
 {
     for (int which = 0; which < 4; which++)
@@ -443,7 +443,7 @@ END_TEST
 
 // --- room --------------------------------------------------------------------
 
-// Rejects: kept pairs that depend on the order of the sweep; a count of what
+// Rejects: kept pairs that depend on the order of the tree; a count of what
 // was kept instead of what there is; one pair too many.
 START_TEST(too_little_room_keeps_the_first_pairs)
 {
@@ -527,6 +527,15 @@ START_TEST(ball_that_is_put_elsewhere_has_its_own_pairs)
         }
         ck_assert_int_eq(n, own);
     }
+    // Two that are asked: their pair is listed by the lower one alone.
+    for (int b = 0; b < 400; b++) is_asked[b] = b % 3 == 0;
+    int all = broad_pairs_all(ball, moves, bodies, wanted, MOST_PAIRS);
+    int n = 0, own = 0;
+    for (int b = 0; b < 400; b += 3)
+        n = broad_near(&s, ball, moves, is_asked, b, found, MOST_PAIRS, n);
+    for (int i = 0; i < all; i++)
+        own += is_asked[wanted[i][0]] || is_asked[wanted[i][1]];
+    ck_assert_int_eq(n, own);
 }
 END_TEST
 
@@ -598,7 +607,7 @@ START_TEST(few_large_balls_leave_the_others_alone)
 END_TEST
 
 // Pairs that touch along an axis as well as rounding lets them, a few metres and
-// 100,000 km from the origin.
+// 134,000 km from the origin.
 // Rejects: boxes that one of two that touch just does not reach into.
 START_TEST(rounded_boxes_lose_nobody)
 {

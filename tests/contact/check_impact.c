@@ -1,5 +1,5 @@
-// check_impact.c - are rows stopped at once as they are one after the other, for
-// ever?  Book: chapter 15.
+// check_impact.c - do rows that are stopped together end as rows that are stopped
+// one after the other, until nothing changes?  Book: chapter 15.
 
 #include <check.h>
 #include <string.h>
@@ -33,8 +33,8 @@ static impact_row any_row(const real inverse[BODIES], bool is_pulled)
     return r;
 }
 
-// Some bodies, one in two times with the ground and else with a body that is
-// driven, and rows between them; some are there twice.
+// Some bodies, and rows between them; some rows are there twice.  In half of the
+// scenes the immovable side is the ground, in the others a driven body.
 static void any_rows(int n)
 {
     bool is_pulled = random_below(&seed, 2);

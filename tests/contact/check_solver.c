@@ -802,7 +802,7 @@ static real falls_at(real ratio)
 
 // In each substep the mass M gets what it has been given, and some m v more, with m
 // that of the light one: so M v'' = -m v / h^2, which is a quarter of a swing.  It
-// ends after about root(M/m) substeps, with root(M/m) g h.  (With two hard passes
+// ends after about 1.6 root(M/m) substeps, with root(M/m) g h.  (With two hard passes
 // it is root(M/2m); soft ones bear less.)  Rejects: a warm start that is lost, for
 // which M falls on and on; a blow that is told from a load by one speed.
 START_TEST(mass_on_a_light_one_falls_as_the_root_of_their_ratio)

@@ -1198,8 +1198,8 @@ line_result line_solve(strands s, particle *p, int steps,
 }
 
 // What one direction of a cloth does the other half undoes: sweep after sweep.
-// After the first sweep all but the last ask for more than the error.  (Along
-// the old links a larger error would be taken for failure.)  A rope has only one
+// All but the last ask for more than the error.  (Along the old links a larger error
+// would be taken for failure.)  A rope has only one
 // direction, and no need; it takes more than a step only where it touches
 // something.
 static const real MORE = 1.2;               // tuned, 1
@@ -1220,10 +1220,10 @@ line_result lines_relax(const shape *s, particle *p, int sweeps,
     if (is_drawn) forget_pulls(s, scratch);
     if (is_drawn && hold) step_strings(s, scratch, p, hold);
     do {
-        bool is_again = directions > 1 && done > 0;
-        real more = is_new && is_again && done + 1 < most ? MORE : 1;
+        real more = is_new && directions > 1 && done + 1 < most ? MORE : 1;
         r.worst = 0;
-        block b = { .scratch = scratch, .more = more, .may_skip = is_again };
+        block b = { .scratch = scratch, .more = more,
+                    .may_skip = directions > 1 && done > 0 };
         for (b.direction = 0; b.direction < directions; b.direction++) {
             b.s = shape_strands(s, b.direction);
             b.drawn = is_drawn ? scratch->drawn[b.direction] : NULL;

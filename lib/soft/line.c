@@ -1198,8 +1198,9 @@ line_result line_solve(strands s, particle *p, int steps,
 }
 
 // What one direction of a cloth does the other half undoes: sweep after sweep.
-// All but the last ask for more than the error.  (Along the old links a larger error
-// would be taken for failure.)  A rope has only one
+// All but the last ask for more than the error; where threads give, the first does
+// not, for most lines are good after it.  (Along the old links a larger error would
+// be taken for failure.)  A rope has only one
 // direction, and no need; it takes more than a step only where it touches
 // something.
 static const real MORE = 1.2;               // tuned, 1
@@ -1220,7 +1221,8 @@ line_result lines_relax(const shape *s, particle *p, int sweeps,
     if (is_drawn) forget_pulls(s, scratch);
     if (is_drawn && hold) step_strings(s, scratch, p, hold);
     do {
-        real more = is_new && directions > 1 && done + 1 < most ? MORE : 1;
+        bool asks_more = directions > 1 && (done > 0 || !(give > 0));
+        real more = is_new && asks_more && done + 1 < most ? MORE : 1;
         r.worst = 0;
         block b = { .scratch = scratch, .more = more,
                     .may_skip = directions > 1 && done > 0 };

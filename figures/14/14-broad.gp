@@ -26,7 +26,7 @@ eval box(130, 640, 52, 282)
 unset logscale y
 set title "A thousand bodies, in a room and elsewhere: time of a frame"
 set xlabel "time of a frame"
-set xrange [20:40000]
+set xrange [9:40000]
 set xtics ("100 µs" 100, "1 ms" 1000, "10 ms" 10000)
 set grid noytics
 set label 1 "the tree" at 90,-0.8 center textcolor rgb blue font bold

@@ -8,7 +8,7 @@
 # was run, and is gone on with, unless the library was built again meanwhile.
 # CC and SETTINGS say how to compile.  Writes the table of table.awk.
 
-build=$1 here=$(dirname "$0")
+build=${1:?the folder of a build} here=$(dirname "$0")
 work=$build/work rows=$build/rows
 [ "$rows/base" -nt "$build/battery" ] || rm -rf "$rows"
 rm -rf "$work" && mkdir -p "$work" "$rows" && cp -R lib "$work/lib" || exit 2

@@ -407,7 +407,7 @@ static void hit_row(bool sleeps, real gap, real from, real speed[ROW + 1])
     p.velocity = vec3_make(2, 0, 0);
     add(p);
     run(2, ROW + 1);
-    for (int k = 0; k <= ROW; k++) speed[k] = w.rigid.velocity[k].of[0];
+    for (int k = 0; k <= ROW; k++) speed[k] = probe_velocity(&w, k)->of[0];
 }
 
 // What stands side by side and presses nothing is asleep one by one.

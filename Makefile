@@ -166,7 +166,7 @@ THEIRS   := peers_ccd.c peers_ode.c piles_ode.c
 # Those of chapter 19b that have a main of their own are no scenes.
 ALONE    := loop replay rollouts
 SCENES   := $(filter-out example_main.c $(ALONE:%=%.c),$(notdir $(wildcard figures/scenes/*.c figures/manual/*.c)))
-PAINTER  := $(filter-out shrink.c paint_little.c tumble.c,$(notdir $(wildcard figures/draw/*.c figures/measure/*.c figures/command/*.c))) $(SCENES)
+PAINTER  := $(filter-out shrink.c paint_little.c main.c,$(notdir $(wildcard figures/draw/*.c figures/measure/*.c figures/command/*.c))) $(SCENES)
 CHECKS   := $(TESTS:%=$(BUILD)/tests/%)
 FUZZERS  := $(basename $(notdir $(wildcard tests/fuzz/fuzz_*.c)))
 
@@ -900,7 +900,7 @@ $(BUILD)/shrink: $(BUILD)/figures/shrink.o $(BUILD)/lib/status.o $(BUILD)/libpai
 $(BUILD)/paint-little: $(BUILD)/figures/paint_little.o $(BUILD)/lib/status.o $(BUILD)/libpainter.a
 	$(call link,-lpng -lm)
 
-$(BUILD)/tumble: $(BUILD)/figures/tumble.o $(ALL) $(BUILD)/libpainter.a | $(BUILD)/tumble-sweep
+$(BUILD)/tumble: $(BUILD)/figures/main.o $(ALL) $(BUILD)/libpainter.a | $(BUILD)/tumble-sweep
 	$(call link,-lpng -lm)
 # It becomes this script for a sweep.
 $(BUILD)/tumble-sweep: figures/command/sweep.sh

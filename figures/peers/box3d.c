@@ -31,8 +31,8 @@ int main(int count, char **word)
     if (count < 2) give_up("wants a folder");
     race_form f = race_begin(word[1], "box3d", count > 2 ? atoi(word[2]) : 20, false);
     clock_print_head("Rooms, piles and joints beside Box3D", FLAGS);
-    race_scene(&f, make_room, 50, LIST, BOTH);
-    race_scene(&f, make_room, 200, LIST, ALL);
+    race_scene(&f, make_thrown, 50, LIST, BOTH);
+    race_scene(&f, make_thrown, 200, LIST, ALL);
     race_scene(&f, make_pyramid, 20, LIST, ALL);
     race_scene(&f, make_tower, 20, LIST, ALL);
     race_scene(&f, make_stacks, 30, LIST, BOTH);
@@ -42,7 +42,7 @@ int main(int count, char **word)
     race_scene(&f, make_chain, 50, LIST, ALL - 2);
     race_scene(&f, make_dolls, 30, LIST, ALL - 2);
     race_scene(&f, make_drop, 1000, LIST, BOTH);
-    race_scene(&f, make_room, 1000, LIST, BOTH);
+    race_scene(&f, make_thrown, 1000, LIST, BOTH);
     race_end(&f);
     return 0;
 }

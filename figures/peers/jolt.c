@@ -38,8 +38,8 @@ int main(int count, char **word)
     race_scene(&f, make_cloth_on_cube, 40, CLOTH, CLOTHS);
     race_scene(&f, make_flag, 40, CLOTH, BOTH);
     race_scene(&f, make_cloth_with_boxes, 40, CLOTH, BOTH);
-    race_scene(&f, make_room, 50, LIST, BOTH);
-    race_scene(&f, make_room, 200, LIST, ALL);
+    race_scene(&f, make_thrown, 50, LIST, BOTH);
+    race_scene(&f, make_thrown, 200, LIST, ALL);
     race_scene(&f, make_pyramid, 20, LIST, BOTH);
     race_scene(&f, make_tower, 20, LIST, ALL);
     race_scene(&f, make_stacks, 30, LIST, BOTH);
@@ -50,7 +50,7 @@ int main(int count, char **word)
     race_scene(&f, make_dolls, 30, LIST, BOTH);
     race_scene(&f, make_cloth_on_cube, 80, CLOTH, BOTH);
     race_scene(&f, make_drop, 1000, LIST, BOTH);
-    race_scene(&f, make_room, 1000, LIST, BOTH);
+    race_scene(&f, make_thrown, 1000, LIST, BOTH);
     race_end(&f);
     return 0;
 }

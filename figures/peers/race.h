@@ -75,7 +75,7 @@ typedef struct {
 
 // Another throw, or another small displacement, for every seed.
 typedef scene scene_maker(int size, int seed);
-scene_maker make_room, make_pyramid, make_tower, make_drop, make_stacks,
+scene_maker make_thrown, make_pyramid, make_tower, make_drop, make_stacks,
     make_dolls, make_chain, make_sizes, make_hard_pair, make_rolling,
     make_cloth_on_cube, make_flag, make_cloth_with_boxes;
 void scene_free(scene *s);

@@ -165,7 +165,7 @@ static real throw_all(scene *s, real side)
     return wide;
 }
 
-scene make_room(int bodies, int seed)
+scene make_thrown(int bodies, int seed)
 {
     scene s = scene_begin("room", bodies, 420, seed);
     s.form[s.forms++] = icosahedron_of(0.5, 1);

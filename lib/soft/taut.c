@@ -17,7 +17,7 @@ real taut_most(real inverse_mass, int directions)
 //     x_k - w_k (a_k (x_(k+1) - x_k) - a_(k-1) (x_k - x_(k-1))) = x*_k,
 // a: the stiffness.  In x_k = g_k + h_k x_(k+1) room keeps h and g, for x, y
 // and z.
-static void eliminate(taut_string s, real *h, real *g)
+static void eliminate_string(taut_string s, real *h, real *g)
 {
     real before = 0;                    // a_(k-1) (1 - h_(k-1))
     for (int k = 0; k < s.particles; k++) {
@@ -37,7 +37,7 @@ static void eliminate(taut_string s, real *h, real *g)
 void taut_step(taut_string s, real *room)
 {
     real *h = room, *g = room + s.particles, x[3] = { 0, 0, 0 };
-    eliminate(s, h, g);
+    eliminate_string(s, h, g);
     for (int k = s.particles - 1; k >= 0; k--) {
         int i = k * s.along;
         for (int c = 0; c < 3; c++) x[c] = g[3 * k + c] + h[k] * x[c];

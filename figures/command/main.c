@@ -1,4 +1,4 @@
-// tumble.c - the command: runs a scene, draws it, measures it.
+// main.c - the command: runs a scene, draws it, measures it.
 //
 // Exit status: 0 done, 1 failed, 2 the command line is wrong, 128 + the
 // signal's number if Ctrl-C, a termination or a closed terminal ended it.

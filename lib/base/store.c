@@ -115,7 +115,7 @@ store store_from(const void *from, size_t size, const char *version)
 //> store-bytes
 //>   One function moves bytes, whichever way they go. Where both ways must
 //>   agree on a number, it compares them.
-static void put(store *s, const void *data, size_t n)
+static void put_bytes(store *s, const void *data, size_t n)
 {
     if (n > 0 && s->used + n <= s->room) memcpy(s->into + s->used, data, n);
     s->used += n;
@@ -141,7 +141,7 @@ static bool get(store *s, void *data, size_t n)
 static bool agree(store *s, uint64_t n)
 {
     uint64_t there = n;
-    if (!s->is_reading) put(s, &there, sizeof there);
+    if (!s->is_reading) put_bytes(s, &there, sizeof there);
     else if (get(s, &there, sizeof there) && there != n) refuse(s);
     return s->done.ok;
 }
@@ -151,7 +151,7 @@ void store_memory(store *s, void *data, size_t n)
     if (!agree(s, n)) return;
     s->span[s->depth] = (store_span){ data, n, s->used };
     if (s->is_reading) get(s, data, n);
-    else               put(s, data, n);
+    else               put_bytes(s, data, n);
 }
 //<
 
@@ -225,7 +225,7 @@ static void list(store *s, void *at, size_t size)
 
 // The smallest of the list that is large enough: as a rule the one behind that
 // which was taken last, and of the very size.  NULL: there is none.
-static void *take(store_spare *x, size_t bytes)
+static void *take_spare(store_spare *x, size_t bytes)
 {
     store_block *best = NULL;
     for (int k = 0; x && k < x->count; k++) {
@@ -247,7 +247,7 @@ static void *take(store_spare *x, size_t bytes)
 static void *allocate(store *s, int room, size_t size)
 {
     size_t bytes = (size_t)room * size;
-    void *memory = take(s->spare, bytes);
+    void *memory = take_spare(s->spare, bytes);
     if (!memory) memory = table_lines(bytes);
     if (!memory) store_fail(s, status_out_of_memory());
     return memory;
@@ -261,7 +261,7 @@ static bool is_there(store *s, void *array, int room, size_t size)
     char is = at != NULL;
     if (!s->is_reading) {
         store_forget(s, array, sizeof at);
-        put(s, &is, 1);
+        put_bytes(s, &is, 1);
         if (is) list(s, at, (size_t)room * size);
         return is;
     }
@@ -296,7 +296,7 @@ void store_room(store *s, void *array, int room, size_t size)
 //> store-pointer
 //>   A pointer to a thing that was stored becomes the number of the thing.
 // The number of the thing at this address; -1 if it is none.
-static int number_of(store *s, const void *thing)
+static int place_of_shape(store *s, const void *thing)
 {
     if (!thing) return -1;
     for (int k = 0; k < s->things; k++) {
@@ -311,10 +311,10 @@ void store_pointer(store *s, void *pointer)
 {
     const void *thing;
     memcpy(&thing, pointer, sizeof thing);
-    int number = s->is_reading ? -1 : number_of(s, thing);
+    int number = s->is_reading ? -1 : place_of_shape(s, thing);
     if (!s->is_reading) {
         store_forget(s, pointer, sizeof thing);
-        put(s, &number, sizeof number);
+        put_bytes(s, &number, sizeof number);
         return;
     }
     thing = NULL;

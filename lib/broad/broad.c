@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static bool grow(broad *s, int bodies)
+static bool grow_order(broad *s, int bodies)
 {
     int n = table_room(bodies, s->room);
     bool ok = true;
@@ -24,7 +24,7 @@ static bool grow(broad *s, int bodies)
 status broad_grow(broad *s, int bodies)
 {
     assert(bodies >= 0);
-    if (!grow(s, bodies)) return status_out_of_memory();
+    if (!grow_order(s, bodies)) return status_out_of_memory();
     for (; s->bodies < bodies; s->bodies++) s->place[s->bodies] = -1;
     return status_ok();
 }

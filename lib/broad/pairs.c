@@ -74,7 +74,7 @@ static bool is_unsettled(const pair_list *l, const pair_query *q)
 }
 
 // What is awake is loose.
-static void settle(pair_list *l, const pair_query *q)
+static void settle_listed(pair_list *l, const pair_query *q)
 {
     for (int b = 0; b < l->bodies; b++) l->is_settled[b] = true;
     for (int k = 0; k < q->awakes; k++) {
@@ -127,7 +127,7 @@ static void list_all(pair_list *l, const pair_query *q, int *lost)
     l->count = int_min(n, l->capacity);
     *lost = n - l->count;
     list_walls(l, q, lost);
-    settle(l, q);
+    settle_listed(l, q);
     l->is_due = false;
 }
 
@@ -265,7 +265,7 @@ void pair_list_renew(pair_list *l, int b)
 //> pairs-init
 //>   The rest is memory. The list of pairs that is too short
 //>   keeps nothing when it grows, because it is about to be made again.
-static bool make_room(pair_list *l, int bodies)
+static bool make_pair_room(pair_list *l, int bodies)
 {
     int room = table_room(bodies, l->room), n = int_max(room, 1);
     bool ok = true;
@@ -282,7 +282,7 @@ static bool make_room(pair_list *l, int bodies)
 
 status pair_list_grow(pair_list *l, int bodies)
 {
-    if (!make_room(l, bodies)) return status_out_of_memory();
+    if (!make_pair_room(l, bodies)) return status_out_of_memory();
     status done = broad_grow(&l->broad, bodies);
     for (; done.ok && l->bodies < bodies; l->bodies++)
         pair_list_renew(l, l->bodies);

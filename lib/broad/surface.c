@@ -23,7 +23,7 @@ static void overlap(real low, real high, real way, real from, real to,
 }
 
 // The share of the way after which q's box meets b; HUGE_VAL: never.
-static real way_to(const surface_query *q, const aabb *b)
+static real box_way(const surface_query *q, const aabb *b)
 {
     const aabb *t = &q->thing;
     real begin = 0, end = 1;
@@ -34,7 +34,7 @@ static real way_to(const surface_query *q, const aabb *b)
 }
 
 // m
-static real apart(real low, real high, real from, real to)
+static real interval_gap(real low, real high, real from, real to)
 {
     return real_max(real_max(low - to, from - high), 0);
 }
@@ -43,14 +43,14 @@ static real distance_to(const surface_query *q, const aabb *b)
 {
     const aabb *t = &q->thing;
     return vec3_length((vec3){
-        apart(b->low.x, b->high.x, t->low.x, t->high.x),
-        apart(b->low.y, b->high.y, t->low.y, t->high.y),
-        apart(b->low.z, b->high.z, t->low.z, t->high.z) });
+        interval_gap(b->low.x, b->high.x, t->low.x, t->high.x),
+        interval_gap(b->low.y, b->high.y, t->low.y, t->high.y),
+        interval_gap(b->low.z, b->high.z, t->low.z, t->high.z) });
 }
 
 static real reaches(const surface_query *q, const aabb *b)
 {
-    return q->by_distance ? distance_to(q, b) : way_to(q, b);
+    return q->by_distance ? distance_to(q, b) : box_way(q, b);
 }
 //<
 
@@ -96,7 +96,7 @@ static aabb box_of(const surface *s, int triangle)
     return aabb_wider(b, 0x1p-40 * sqrt(size));
 }
 
-static const real THIN = 1e-6;
+static const real THIN_FACE = 1e-6;
 
 // m, of the sides of a triangle.
 typedef struct {
@@ -299,7 +299,7 @@ static real depth_of(const surface *s, int triangle)
     }
     surface_ask(s, &q);
     real thinnest = real_max(0.01 * s->thickness,
-                             2 * THIN * sides_of(s, v).most);
+                             2 * THIN_FACE * sides_of(s, v).most);
     return real_min(real_max(s->thickness * l.share, thinnest), s->thickness);
 }
 
@@ -354,11 +354,11 @@ static status check_numbers(const vec3 *point, int points,
 }
 
 // m, the prism of a triangle at right angles to it; 0: it has no area.
-static real height_of(const surface *s, int k, real longest)
+static real triangle_height(const surface *s, int k, real longest)
 {
     vec3 n = normal_of(s, s->triangle[k]);
     real area = vec3_length(n);
-    if (!(area > THIN * longest * longest)) return 0;
+    if (!(area > THIN_FACE * longest * longest)) return 0;
     return s->thickness > 0 ? s->thickness : -vec3_dot(n, s->down) / area;
 }
 
@@ -366,7 +366,7 @@ static real height_of(const surface *s, int k, real longest)
 static status check_place(const surface *s, int k, side_range sides, real height)
 {
     real away = vec3_length(s->point[s->triangle[k][0]]);
-    if (!(height > THIN * sides.most))
+    if (!(height > THIN_FACE * sides.most))
         return status_fail("triangle %d of a surface is %g m thick, and %g m "
                            "long: that is too thin", k, height, sides.most);
     if (!(away + sides.most <= MOST_AWAY * real_min(sides.least, height)))
@@ -379,7 +379,7 @@ static status list_prisms(surface *s)
 {
     for (int k = 0; k < s->triangles; k++) {
         side_range sides = sides_of(s, s->triangle[k]);
-        real height = height_of(s, k, sides.most);
+        real height = triangle_height(s, k, sides.most);
         if (height == 0) continue;
         status done = check_place(s, k, sides, height);
         if (!done.ok) return done;

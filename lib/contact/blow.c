@@ -60,7 +60,7 @@ static bool closes(const blow *w, block *k, int lane)
     return some;
 }
 
-static void add_contact(blow *w, block *k, int lane)
+static void add_lane(blow *w, block *k, int lane)
 {
     if (w->set.rows + k->points > IMPACT_ROWS) return;
     k->in_blow |= 1 << lane;
@@ -76,7 +76,7 @@ static void add_contact(blow *w, block *k, int lane)
 }
 
 // The body on one side of a contact, if a blow goes on through it; else -1.
-static int body_of(const block *k, int lane, int side)
+static int struck_body(const block *k, int lane, int side)
 {
     if (k->contact[lane] < 0) return -1;
     if (side == A) return k->a[lane];
@@ -89,11 +89,11 @@ static void list_sides(contact_solver *s)
 {
     enum { A_BLOCK = BODIES * REAL4 };
     for (int x = 0; x < A_BLOCK * s->blocks; x++) {
-        int b = body_of(&s->block[x / A_BLOCK], x / BODIES % REAL4, x % BODIES);
+        int b = struck_body(&s->block[x / A_BLOCK], x / BODIES % REAL4, x % BODIES);
         if (b >= 0) s->first_of[b] = -1;
     }
     for (int x = A_BLOCK * s->blocks - 1; x >= 0; x--) {
-        int b = body_of(&s->block[x / A_BLOCK], x / BODIES % REAL4, x % BODIES);
+        int b = struck_body(&s->block[x / A_BLOCK], x / BODIES % REAL4, x % BODIES);
         if (b < 0) continue;
         s->next_of[x] = s->first_of[b];
         s->first_of[b] = x;
@@ -107,7 +107,7 @@ static void spread_from(blow *w, int body)
         block *k = &s->block[x / (BODIES * REAL4)];
         int lane = x / BODIES % REAL4;
         if (!(k->in_blow >> lane & 1) && closes(w, k, lane))
-            add_contact(w, k, lane);
+            add_lane(w, k, lane);
     }
 }
 
@@ -157,7 +157,7 @@ void blow_stop(contact_solver *s, const solver_frame *f, motion *velocity)
             is_listed = true;
             if (!closes(&w, k, l)) continue;
             impact_begin(&w.set);
-            add_contact(&w, k, l);
+            add_lane(&w, k, l);
             do {
                 impact_stop(&w.set);
                 impact_give(&w.set, velocity);

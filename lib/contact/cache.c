@@ -36,7 +36,7 @@ void cache_update(contact_cache *c, const cache_frame *f)
 
 //> cache-follow
 //>   Both lists of pairs are sorted, so one walk hands on what is kept.
-static void release(contact_cache *c, cache_pair *p)
+static void release_pair(contact_cache *c, cache_pair *p)
 {
     if (p->entry < 0) return;
     c->entry[p->entry].next = c->free_entry;
@@ -44,7 +44,7 @@ static void release(contact_cache *c, cache_pair *p)
     p->entry = -1;
 }
 
-static int compare(const int a[2], const int b[2])
+static int compare_bodies(const int a[2], const int b[2])
 {
     return a[0] != b[0] ? (a[0] < b[0] ? -1 : 1)
          : a[1] != b[1] ? (a[1] < b[1] ? -1 : 1) : 0;
@@ -69,14 +69,15 @@ static void follow_list(contact_cache *c, cache_list *l, int (*list)[2],
     c->lost += count - n;
     for (int k = 0; k < n; k++) {
         const int *now = list[k];
-        while (old < l->count && compare(l->pair[old].key, now) < 0)
-            release(c, &l->pair[old++]);
-        bool is_known = old < l->count && compare(l->pair[old].key, now) == 0;
+        while (old < l->count && compare_bodies(l->pair[old].key, now) < 0)
+            release_pair(c, &l->pair[old++]);
+        bool is_known = old < l->count
+                     && compare_bodies(l->pair[old].key, now) == 0;
         l->spare[k] = is_known ? l->pair[old++]
                     : (cache_pair){ .key = { now[0], now[1] }, .entry = -1,
                                     .seen = { -1, -1 } };
     }
-    while (old < l->count) release(c, &l->pair[old++]);
+    while (old < l->count) release_pair(c, &l->pair[old++]);
     swap_spare(l, n);
 }
 
@@ -84,7 +85,7 @@ static bool is_of_other(const cache_list *l, int k, const cache_list *other,
                         int j)
 {
     return k == l->count || (j < other->count
-                             && compare(other->pair[j].key, l->pair[k].key) < 0);
+                             && compare_bodies(other->pair[j].key, l->pair[k].key) < 0);
 }
 
 const cache_pair *cache_next(const cache_list *l, int *k,
@@ -96,13 +97,13 @@ const cache_pair *cache_next(const cache_list *l, int *k,
 
 // Two sorted lists become one: what was kept of bodies that lie still is there
 // for those that have woken.
-static void take_back(contact_cache *c, cache_list *l, cache_list *still)
+static void take_back_pairs(contact_cache *c, cache_list *l, cache_list *still)
 {
     int all = l->count + still->count;
     if (still->count == 0) return;
     if (!grow_spare(l, all)) {
         c->lost += still->count;
-        for (int k = 0; k < still->count; k++) release(c, &still->pair[k]);
+        for (int k = 0; k < still->count; k++) release_pair(c, &still->pair[k]);
         still->count = 0;
         return;
     }
@@ -150,8 +151,8 @@ static void put_aside(contact_cache *c, cache_list *l, cache_list *still,
 static void follow_lists(contact_cache *c, const cache_frame *f)
 {
     bool is_whole = f->list->is_whole;
-    if (is_whole) take_back(c, &c->pairs, &c->still_pairs);
-    if (is_whole) take_back(c, &c->walls, &c->still_walls);
+    if (is_whole) take_back_pairs(c, &c->pairs, &c->still_pairs);
+    if (is_whole) take_back_pairs(c, &c->walls, &c->still_walls);
     follow_list(c, &c->pairs, f->list->pair, f->list->count);
     follow_list(c, &c->walls, f->list->wall, f->list->walls);
     if (is_whole) put_aside(c, &c->pairs, &c->still_pairs, f->list, 2);
@@ -185,7 +186,7 @@ static real slack_of(const contact_cache *c, const cache_frame *f, int a, int b)
 
 // m, by how much the gap of a pair may close in this frame, whichever of its bodies
 // others stop.  None stops what is driven: what rides on it comes no nearer.
-static real reach_of(const cache_frame *f, int a, int b)
+static real pair_reach(const cache_frame *f, int a, int b)
 {
     const prediction *x = &f->ahead[a], *y = &f->ahead[b];
     if (b < 0) return x->reach;
@@ -205,7 +206,7 @@ static real lasting_margin(const contact_cache *c, const cache_frame *f, int a,
 }
 
 // Of which placing of body b is an answer; a plane has none.
-static int number_of(const contact_cache *c, int b)
+static int body_number(const contact_cache *c, int b)
 {
     return b < 0 ? 0 : c->placing[b].number;
 }
@@ -236,12 +237,12 @@ static bool is_near(const cache_frame *f, int a, int b, real reach)
 static void decide(const contact_cache *c, const cache_frame *f, cache_pair *p,
                    int a, int b)
 {
-    real reach = reach_of(f, a, b);
+    real reach = pair_reach(f, a, b);
     p->is_asked = false;
     if (!f->moves[a] && (b < 0 || !f->moves[b])) return;
     if (!is_near(f, a, b, reach)) forget(p);
     else p->is_asked = p->seen[0] != c->placing[a].number
-                    || p->seen[1] != number_of(c, b) || !(reach <= p->margin);
+                    || p->seen[1] != body_number(c, b) || !(reach <= p->margin);
 }
 
 // The first items are walls, the others pairs.
@@ -347,7 +348,7 @@ static int new_entry(contact_cache *c)
 }
 
 // The one whose motion it has, of body or plane b.
-static int whole_of(const cache_frame *f, int b)
+static int whole_body(const cache_frame *f, int b)
 {
     return b >= 0 && f->body[b].rides > 0 ? f->body[b].rides - 1 : b;
 }
@@ -363,8 +364,8 @@ static void make_entry(contact_cache *c, const cache_frame *f, cache_pair *p,
         now->found = ++c->found;
         now->piece_a = a;
         now->piece_b = b;
-        now->a = f->has_pieces ? whole_of(f, a) : a;
-        now->b = f->has_pieces ? whole_of(f, b) : b;
+        now->a = f->has_pieces ? whole_body(f, a) : a;
+        now->b = f->has_pieces ? whole_body(f, b) : b;
     } else {
         p->is_asked = false;
         c->lost++;
@@ -395,11 +396,11 @@ static bool flies(const cache_frame *f, int a, int b)
 }
 
 // (What turns by half a turn and more is asked where it is.)
-static const real HALF = 3;                 // rad
+static const real HALF_TURN = 3;                 // rad
 
 static real turned_arc(const cache_frame *f, int b)
 {
-    return f->ahead[b].angle < HALF ? f->ahead[b].arc : 0;
+    return f->ahead[b].angle < HALF_TURN ? f->ahead[b].arc : 0;
 }
 
 static bool turns(const cache_frame *f, int a, int b)
@@ -414,7 +415,7 @@ static bool turns(const cache_frame *f, int a, int b)
 static swept_motion motion_ahead(const cache_frame *f, int b, real *apart)
 {
     const prediction *p = &f->ahead[b];
-    bool turns = p->angle > 0 && p->angle < HALF;
+    bool turns = p->angle > 0 && p->angle < HALF_TURN;
     *apart += turns ? p->turn - p->arc : p->turn;
     return (swept_motion){
         .center = f->now[b].frame.center, .way = p->way,
@@ -529,7 +530,7 @@ static void date(const contact_cache *c, const cache_frame *f, cache_pair *p,
                  int a, int b, real reach)
 {
     p->seen[0] = c->placing[a].number;
-    p->seen[1] = number_of(c, b);
+    p->seen[1] = body_number(c, b);
     p->margin = lasting_margin(c, f, a, b, reach);
 }
 
@@ -547,7 +548,7 @@ static void query_bodies(contact_cache *c, const cache_frame *f, cache_pair *p,
     bool may_pass = flies(f, a, b);
     if (may_pass || turns(f, a, b)) swept = query_swept(now, f);
     if (swept == SWEPT_TOUCHES || (may_pass && swept == SWEPT_PASSES)) return;
-    real slack = slack_of(c, f, a, b), reach = reach_of(f, a, b);
+    real slack = slack_of(c, f, a, b), reach = pair_reach(f, a, b);
     manifold m;
     bool is_ahead = query_ahead(f, now, x, y, 2 * slack, &e->carried, &reach,
                                 &m);
@@ -562,14 +563,14 @@ static void query_wall(contact_cache *c, const cache_frame *f, cache_pair *p,
     int a = now->piece_a;
     plane wall = f->plane[-1 - now->piece_b];
     collider body = cache_collider(c, f, a);
-    real slack = slack_of(c, f, a, -1), reach = reach_of(f, a, -1);
+    real slack = slack_of(c, f, a, -1), reach = pair_reach(f, a, -1);
     manifold m = manifold_on_plane(&body, wall.normal, wall.offset,
                                    reach + 2 * slack, f->ahead[a].angle);
     cache_take(now, &m, f, false);
     date(c, f, p, a, -1, reach);
 }
 
-static void query(contact_cache *c, const cache_frame *f, cache_pair *p)
+static void query_pair(contact_cache *c, const cache_frame *f, cache_pair *p)
 {
     cache_entry *e = &c->entry[p->entry];
     contact was, *now = &e->contact;
@@ -595,14 +596,14 @@ static void query(contact_cache *c, const cache_frame *f, cache_pair *p)
 //>   falling heap it spares most contacts.
 // A contact whose gap cannot close in this frame is left out: both bodies
 // together have not gone as far yet.
-static void activate(const contact_cache *c, const cache_frame *f,
-                     cache_pair *p, int a, int b)
+static void activate_pair(const contact_cache *c, const cache_frame *f,
+                          cache_pair *p, int a, int b)
 {
     p->is_active = false;
     if (p->count == 0 || p->entry < 0) return;
     if (!f->moves[a] && (b < 0 || !f->moves[b])) return;
     real paths = c->placing[a].path + (b < 0 ? 0 : c->placing[b].path);
-    if (p->near - paths > reach_of(f, a, b)) return;
+    if (p->near - paths > pair_reach(f, a, b)) return;
     p->near = paths;
     p->is_active = true;
 }
@@ -619,15 +620,15 @@ static void query_chunk(void *data, int item)
         cache_pair *p = &l->pair[k];
         if (k + 1 < end && p[1].is_asked)
             contact_expect(&u->c->entry[p[1].entry].contact);
-        if (p->is_asked) query(u->c, u->f, p);
-        activate(u->c, u->f, p, p->key[0], second_of(u->c, l, p));
+        if (p->is_asked) query_pair(u->c, u->f, p);
+        activate_pair(u->c, u->f, p, p->key[0], second_of(u->c, l, p));
     }
 }
 //<
 
 //> cache-active
 //>   The others are gathered in the order of the pairs.
-static void gather(contact_cache *c, const cache_frame *f, cache_pair *p)
+static void gather_pair(contact_cache *c, const cache_frame *f, cache_pair *p)
 {
     if (!p->is_active) return;
     contact *now = &c->entry[p->entry].contact;
@@ -637,7 +638,7 @@ static void gather(contact_cache *c, const cache_frame *f, cache_pair *p)
     }
     c->fast += p->seen[0] < 0 && now->b >= 0
              && flies(f, now->piece_a, now->piece_b);
-    c->reach[c->actives] = reach_of(f, now->piece_a, now->piece_b);
+    c->reach[c->actives] = pair_reach(f, now->piece_a, now->piece_b);
     c->active[c->actives] = now;
     c->of[c->actives++] = p;
 }
@@ -656,8 +657,8 @@ static void gather_active(contact_cache *c, const cache_frame *f)
         c->lost += c->entries;
         return;
     }
-    for (int k = 0; k < c->pairs.count; k++) gather(c, f, &c->pairs.pair[k]);
-    for (int k = 0; k < c->walls.count; k++) gather(c, f, &c->walls.pair[k]);
+    for (int k = 0; k < c->pairs.count; k++) gather_pair(c, f, &c->pairs.pair[k]);
+    for (int k = 0; k < c->walls.count; k++) gather_pair(c, f, &c->walls.pair[k]);
 }
 
 // Within a frame what was to meet on one side of a body meets on no other: if it is
@@ -677,13 +678,13 @@ void cache_again(contact_cache *c, const cache_frame *f, int k)
     if (b >= 0) place_body(c, f, b, c->updates);
     p->is_asked = true;
     make_entry(c, f, p, a, b);
-    query(c, f, p);
+    query_pair(c, f, p);
     if (b >= 0 && is_through(c->active[k], &was)) {
         *c->active[k] = was;
         p->count = (signed char)was.count;
         p->seen[0] = -1;                    // it is kept for this frame only
     }
-    c->reach[k] = reach_of(f, a, b);
+    c->reach[k] = pair_reach(f, a, b);
 }
 
 void cache_note(contact_cache *c, const contact_solver *s)
@@ -699,7 +700,7 @@ void cache_moved(contact_cache *c, int b, real way)
 
 //> cache-init
 //>   Memory for contacts, made and given back.
-static bool make_room(contact_cache *c, int bodies, int vertices)
+static bool make_cache_room(contact_cache *c, int bodies, int vertices)
 {
     int room = table_room(bodies, c->room);
     int vertex_room = table_room(vertices, c->vertex_room);
@@ -722,7 +723,7 @@ status cache_add(contact_cache *c, int b, int vertices)
 {
     bool has_room = b < c->room && vertices <= c->placing[b].vertices;
     int more = has_room ? 0 : vertices;
-    if (!make_room(c, b + 1, c->vertices + more))
+    if (!make_cache_room(c, b + 1, c->vertices + more))
         return status_out_of_memory();
     struct placing *p = &c->placing[b];
     *p = (struct placing){ .first = p->first, .vertices = p->vertices };
@@ -753,7 +754,7 @@ void cache_free(contact_cache *c)
 static void drop_kept(contact_cache *c, cache_pair *p)
 {
     if (p->entry >= 0) c->entry[p->entry].contact.count = 0;
-    release(c, p);
+    release_pair(c, p);
     forget(p);
 }
 

@@ -69,7 +69,7 @@ void impact_add(impact_set *w, const impact_row *r, real parting)
 //>   to the factors K = L D L^T. The energy falls, so no set comes twice.
 // K stop = -part for the rows of the set.  False if the last of them can do
 // nothing that the others cannot, to rounding.
-static bool factor(impact_set *w)
+static bool factor_set(impact_set *w)
 {
     for (int i = w->good; i < w->count; i++) {
         const real *row = w->k[w->set[i]];
@@ -140,7 +140,7 @@ void impact_stop(impact_set *w)
         int next = find_closing(w);
         if (next < 0 || w->count == IMPACT_ROWS) return;
         w->set[w->count++] = next;
-        do stops = factor(w);
+        do stops = factor_set(w);
         while (stops && !go_to_set(w));
         if (!stops) w->count = w->good;
     }

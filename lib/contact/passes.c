@@ -19,7 +19,7 @@ typedef struct {
 } lane_source;
 
 // Two unit vectors across n, fixed by n alone.
-static void choose_across(lane_source *q, vec3 friction)
+static void choose_lane_across(lane_source *q, vec3 friction)
 {
     vec3 n = q->normal;
     real x = fabs(n.x), y = fabs(n.y), z = fabs(n.z);
@@ -65,7 +65,7 @@ static void choose_lane(lane_source *q, const contact *c,
     q->round_a = x->is_swapped ? c->round_b : c->round_a;
     q->round_b = x->is_swapped ? c->round_a : c->round_b;
     q->twist = x->count > 1 ? warm * c->twist : 0;
-    choose_across(q, vec3_scale(sign * warm, c->friction));
+    choose_lane_across(q, vec3_scale(sign * warm, c->friction));
     choose_points(q, c, x, f, warm);
 }
 //<
@@ -246,8 +246,8 @@ static void see_gaps_of(const contact_solver *s, block *k,
     find_gaps(k, raw);
 }
 
-static bool lies(const solver_frame *f, const contact_solver *s, const block *k,
-                 int lane, int b)
+static bool lane_lies(const solver_frame *f, const contact_solver *s, const block *k,
+                      int lane, int b)
 {
     return f->lying && k->contact[lane] >= 0 && b != s->room
         && f->is_elsewhere[b] == LIES;
@@ -263,8 +263,8 @@ static bool all_lies(const contact_solver *s, const block *k,
     if (!f->lying) return false;
     for (int l = 0; l < REAL4; l++) {
         if (k->contact[l] < 0) continue;
-        if (!lies(f, s, k, l, k->a[l])) return false;
-        if (k->two && !lies(f, s, k, l, k->b[l])) return false;
+        if (!lane_lies(f, s, k, l, k->a[l])) return false;
+        if (k->two && !lane_lies(f, s, k, l, k->b[l])) return false;
     }
     for (int j = 0; j < k->points; j++) {
         real4 gap = real4_mul(k->point[j].gap, k->per_near);
@@ -291,16 +291,16 @@ static void find_uneven(block *k)
     }
 }
 
-static void stand(const contact_solver *s, block *k, const solver_frame *f,
-                  raw_block *raw)
+static void stand_block(const contact_solver *s, block *k, const solver_frame *f,
+                        raw_block *raw)
 {
     const motion_basis *a[REAL4], *b[REAL4];
     see_gaps_of(s, k, f, raw);
     for (int l = 0; l < REAL4; l++) {
         a[l] = &a_of(k, f, l)->basis;
         b[l] = &b_of(s, k, f, l)->basis;
-        if (lies(f, s, k, l, k->a[l])) a[l] = &f->lying[k->a[l]];
-        if (lies(f, s, k, l, k->b[l])) b[l] = &f->lying[k->b[l]];
+        if (lane_lies(f, s, k, l, k->a[l])) a[l] = &f->lying[k->a[l]];
+        if (lane_lies(f, s, k, l, k->b[l])) b[l] = &f->lying[k->b[l]];
     }
     take_turns(&raw->a, a);
     if (k->two) take_turns(&raw->b, b);
@@ -435,7 +435,7 @@ static void make_rows_of(const contact_solver *s, block *k,
                          const solver_frame *f)
 {
     raw_block raw;
-    stand(s, k, f, &raw);
+    stand_block(s, k, f, &raw);
     if (k->two) make_rows_at(k, &raw, true);
     else make_rows_at(k, &raw, false);
     k->is_stale = false;
@@ -561,8 +561,8 @@ static void renew_chunk(void *data, int item)
 //> passes-sides
 //>   Compare the passes with the plain solver, line by line.
 // Six numbers of four bodies: three of the centre, three turns.
-ALWAYS_INLINE void gather(const motion *m, const int body[REAL4],
-                          real4 to[MOTIONS])
+ALWAYS_INLINE void gather_sides(const motion *m, const int body[REAL4],
+                                real4 to[MOTIONS])
 {
     const real *const from[REAL4] = { m[body[0]].of, m[body[1]].of,
                                       m[body[2]].of, m[body[3]].of };
@@ -570,8 +570,8 @@ ALWAYS_INLINE void gather(const motion *m, const int body[REAL4],
         real4_gather2(from, k, &to[2 * k], &to[2 * k + 1]);
 }
 
-ALWAYS_INLINE void scatter(motion *m, const int body[REAL4],
-                           const real4 from[MOTIONS])
+ALWAYS_INLINE void scatter_sides(motion *m, const int body[REAL4],
+                                 const real4 from[MOTIONS])
 {
     real *const to[REAL4] = { m[body[0]].of, m[body[1]].of, m[body[2]].of,
                               m[body[3]].of };
@@ -588,16 +588,16 @@ typedef struct {
 ALWAYS_INLINE sides4 take_sides(const block *k, const motion *m, bool two)
 {
     sides4 s;
-    gather(m, k->a, s.a);
-    if (two) gather(m, k->b, s.b);
+    gather_sides(m, k->a, s.a);
+    if (two) gather_sides(m, k->b, s.b);
     return s;
 }
 
 ALWAYS_INLINE void give_sides(const block *k, motion *m, const sides4 *s,
                               bool two)
 {
-    scatter(m, k->a, s->a);
-    if (two && !k->is_driven) scatter(m, k->b, s->b);
+    scatter_sides(m, k->a, s->a);
+    if (two && !k->is_driven) scatter_sides(m, k->b, s->b);
 }
 
 // How fast, or how far, the centres part along a direction.
@@ -780,8 +780,8 @@ ALWAYS_INLINE real4 push_points(block *k, const solver_pass *q, pushing *w,
 // The first point that strikes turns the body onto the others: what falls flat
 // would land on its rim.  So several go on in turn, once for each.  (What rests
 // has that time from one substep to the next.)
-ALWAYS_INLINE void push(block *k, const solver_pass *q, bool two,
-                        bool has_impacts)
+ALWAYS_INLINE void push_block(block *k, const solver_pass *q, bool two,
+                              bool has_impacts)
 {
     pushing w = { .u = take_sides(k, q->velocity, two), .sum = real4_all(0) };
     if (k->is_stale && !wakes(k, q, &w.u, two)) return;
@@ -812,7 +812,7 @@ ALWAYS_INLINE void twist_block(block *k, real4 most, sides4 *u, bool two)
     push_turns(k->rub_a[TWIST], k->rub_b[TWIST], change, u, two);
 }
 
-ALWAYS_INLINE real4 slide(const block *k, int i, const sides4 *u, bool two)
+ALWAYS_INLINE real4 slide_point(const block *k, int i, const sides4 *u, bool two)
 {
     return real4_add(part_centers(k->across[i], u, two),
                      part_turns(k->rub_a[i], k->rub_b[i], u, two));
@@ -822,7 +822,7 @@ ALWAYS_INLINE void brake_block(block *k, real4 most, sides4 *u, bool two)
 {
     const real4 *mass = k->across_mass, one = real4_all(1);
     const real4 least = real4_all(1e-300);      // no length is 0 below
-    real4 x = slide(k, 0, u, two), y = slide(k, 1, u, two), impulse[2];
+    real4 x = slide_point(k, 0, u, two), y = slide_point(k, 1, u, two), impulse[2];
     impulse[0] = real4_sub(k->rub[0],
                            real4_mad(mass[0], x, real4_mul(mass[1], y)));
     impulse[1] = real4_sub(k->rub[1],
@@ -843,7 +843,8 @@ ALWAYS_INLINE void brake_block(block *k, real4 most, sides4 *u, bool two)
 //> passes-relax
 //>   As the push does, the relax pass leaves a point alone that is open and
 //>   closes fast, if it will have an impact (chapter 15).
-ALWAYS_INLINE void relax(block *k, const solver_pass *q, bool two, bool has_impacts)
+ALWAYS_INLINE void relax_block(block *k, const solver_pass *q, bool two,
+                               bool has_impacts)
 {
     const real4 zero = real4_all(0), per_h = real4_all(q->per_h);
     const real4 friction = k->friction;
@@ -913,10 +914,12 @@ ALWAYS_INLINE void warm_block(block *k, const solver_pass *q, bool two)
 PASS(see_chunk, see_block(x, q, true), see_block(x, q, false))
 PASS(strike_chunk, find_strike(x, q, true), (void)x)
 PASS(warm_chunk, warm_block(x, q, true), warm_block(x, q, false))
-PASS(push_chunk, push(x, q, true, false), push(x, q, false, false))
-PASS(push_to_impacts_chunk, push(x, q, true, true), push(x, q, false, true))
-PASS(relax_chunk, relax(x, q, true, false), relax(x, q, false, false))
-PASS(relax_to_impacts_chunk, relax(x, q, true, true), relax(x, q, false, true))
+PASS(push_chunk, push_block(x, q, true, false), push_block(x, q, false, false))
+PASS(push_to_impacts_chunk, push_block(x, q, true, true),
+     push_block(x, q, false, true))
+PASS(relax_chunk, relax_block(x, q, true, false), relax_block(x, q, false, false))
+PASS(relax_to_impacts_chunk, relax_block(x, q, true, true),
+     relax_block(x, q, false, true))
 
 const solver_passes PASSES = {
     .fill = fill_chunk, .refill = fill_block, .renew = renew_chunk,

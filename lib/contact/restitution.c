@@ -69,17 +69,17 @@ static void stand_at(const impact *x, const impact_solver *s, real t,
                      rigid_frame at[BODIES]);
 typedef contact_arms arms_of(const contact *c, int k, const rigid_frame *a,
                              const rigid_frame *b);
-static void find_arms(impact *x, const rigid_frame at[BODIES], arms_of *of);
+static void find_impact_arms(impact *x, const rigid_frame at[BODIES], arms_of *of);
 static void find_touching(impact *x, const impact_solver *s);
-static void push_apart(impact *x, real restitution);
+static void push_impact(impact *x, real restitution);
 static void rub(impact *x, real friction);
 static real closing_speed(const impact *x);
 
 // The velocity of a substep is that of a fall at the middle of it: at another
 // time t (a share of the substep) gravity has added more.  What does not move
 // does not fall.
-static void fall(const impact_pair *p, vec3 gravity, real time,
-                 motion u[BODIES])
+static void fall_in_impact(const impact_pair *p, vec3 gravity, real time,
+                           motion u[BODIES])
 {
     for (int side = A; side < BODIES; side++) {
         if (!p->falls[side]) continue;
@@ -90,7 +90,8 @@ static void fall(const impact_pair *p, vec3 gravity, real time,
 }
 
 // The body goes with its new velocity, but only for the rest of the substep.
-static void settle(const impact_solver *s, int body, const motion *u, real time)
+static void settle_body(const impact_solver *s, int body, const motion *u,
+                        real time)
 {
     motion *velocity = &s->velocity[body], *moved = &s->moved[body];
     for (int k = 0; k < MOTIONS; k++) {
@@ -119,12 +120,12 @@ static real strike(const impact_solver *s, const contact *c)
     find_touching(&x, s);
     real speed = closing_speed(&x);
     if (!(speed > slowest)) return 0;
-    push_apart(&x, m.restitution);
+    push_impact(&x, m.restitution);
     if (f->hear) f->hear(f->listener, c, impact_sum(&x));
     rub(&x, m.friction);
-    fall(&x.pair, vec3_scale(f->h, f->gravity), 0.5 - x.time, x.u);
-    if (x.pair.falls[A]) settle(s, c->a, &x.u[A], x.time);
-    if (x.pair.falls[B]) settle(s, c->b, &x.u[B], x.time);
+    fall_in_impact(&x.pair, vec3_scale(f->h, f->gravity), 0.5 - x.time, x.u);
+    if (x.pair.falls[A]) settle_body(s, c->a, &x.u[A], x.time);
+    if (x.pair.falls[B]) settle_body(s, c->b, &x.u[B], x.time);
     return speed;
 }
 //<
@@ -259,14 +260,14 @@ bool restitution_face(contact *c, const solver_frame *f,
 }
 
 // A gap closes as each side goes; both are struck at one place.
-static void find_arms(impact *x, const rigid_frame at[BODIES], arms_of *of)
+static void find_impact_arms(impact *x, const rigid_frame at[BODIES], arms_of *of)
 {
     for (int k = 0; k < x->c.count; k++)
         x->arm[k] = of(&x->c, k, &at[A], x->c.b < 0 ? NULL : &at[B]);
 }
 
-static void find_gaps(const impact *x, const impact_solver *s,
-                      const rigid_frame at[BODIES], real gap[CONTACT_POINTS])
+static void find_impact_gaps(const impact *x, const impact_solver *s,
+                             const rigid_frame at[BODIES], real gap[CONTACT_POINTS])
 {
     const contact *c = &x->c;
     real height = c->b < 0 ? s->f->plane[-1 - c->b].offset : 0;
@@ -296,7 +297,7 @@ static real first_touch(impact *x, const impact_solver *s,
 {
     const impact_pair *p = &x->pair;
     real gap[CONTACT_POINTS], least = HUGE_VAL, h = s->f->h;
-    find_gaps(x, s, at, gap);
+    find_impact_gaps(x, s, at, gap);
     for (int k = 0; k < x->c.count; k++) {
         const vec3 arm[BODIES] = { x->arm[k].a, x->arm[k].b };
         impact_row row = row_along(p, x->c.normal, arm);
@@ -315,7 +316,7 @@ static void take_touching(impact *x, const impact_solver *s,
                           const rigid_frame at[BODIES])
 {
     real gap[CONTACT_POINTS], h = s->f->h;
-    find_gaps(x, s, at, gap);
+    find_impact_gaps(x, s, at, gap);
     for (int k = 0; k < x->c.count; k++) {
         const vec3 arm[BODIES] = { x->arm[k].a, x->arm[k].b };
         impact_row row = row_along(&x->pair, x->c.normal, arm);
@@ -343,7 +344,7 @@ static void find_touching(impact *x, const impact_solver *s)
     for (int n = 0; n < TOUCH_STEPS; n++) {
         stand_at(x, s, x->time, at);
         face_each_other(&x->c, at);
-        find_arms(x, at, contact_sides_of);
+        find_impact_arms(x, at, contact_sides_of);
         real time = first_touch(x, s, at, a);
         if (!(time < HUGE_VAL)) return;
         bool is_there = fabs(time - x->time) < 1e-9;
@@ -352,8 +353,8 @@ static void find_touching(impact *x, const impact_solver *s)
     }
     stand_at(x, s, x->time, at);
     face_each_other(&x->c, at);
-    find_arms(x, at, contact_arms_of);
-    fall(p, vec3_scale(h, s->f->gravity), x->time - 0.5, x->u);
+    find_impact_arms(x, at, contact_arms_of);
+    fall_in_impact(p, vec3_scale(h, s->f->gravity), x->time - 0.5, x->u);
     take_touching(x, s, at);
 }
 //<
@@ -367,7 +368,7 @@ static void find_touching(impact *x, const impact_solver *s)
 // is 1 - e^2 of the most that these impulses can take: never less than nothing,
 // whatever lambda is.  And if lambda stops the points (sigma = 1), 1 + e times
 // lambda parts them at e times the speed at which they met, or faster.
-static void push_apart(impact *x, real restitution)
+static void push_impact(impact *x, real restitution)
 {
     impact_set *w = &x->set;
     real down = 0, bend = 0;

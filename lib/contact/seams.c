@@ -16,7 +16,7 @@ static const real FLUSH = 0.002;            // tuned, radii
 // The cosine of 0.8 degrees: normals nearer to each other are those of one side.
 static const real ALIKE = 0.9999;           // tuned, 1
 
-enum { FEW_SIDES = 64, MOST_SIDES = 2048, MOST_VERTICES = 256 };
+enum { FEW_SIDES = 64, MOST_SIDES = 2048, MOST_CORNERS = 256 };
 
 // Body A touches B, which is a body or a plane (< 0), along n.
 typedef struct {
@@ -69,7 +69,7 @@ static void see_side(const slider *s, side *x)
 //> seams-hold
 //>   Three questions to a piece: how high does it reach, does it stand out
 //>   further than that, and does a point lie in it?
-static int furthest(const collider *x, vec3 d)
+static int furthest_vertex(const collider *x, vec3 d)
 {
     int best = 0;
     for (int v = 1; v < x->shape->particles; v++)
@@ -78,19 +78,19 @@ static int furthest(const collider *x, vec3 d)
 }
 
 // m, of body b along n, with what is round of it.
-static real height_of(const slider *s, int b, vec3 n)
+static real rise_over(const slider *s, int b, vec3 n)
 {
     collider x = cache_collider(s->c, s->f, b);
-    return vec3_dot(x.at[furthest(&x, n)], n) + x.shape->round;
+    return vec3_dot(x.at[furthest_vertex(&x, n)], n) + x.shape->round;
 }
 
 // Does body or plane b reach higher than that along n?  (Its ball answers most.)
-static bool stands_out(const slider *s, int b, vec3 n, real height)
+static bool juts_out(const slider *s, int b, vec3 n, real height)
 {
     if (b < 0) return vec3_dot(s->f->plane[-1 - b].normal, n) < ALIKE;
     real center = vec3_dot(s->f->now[b].frame.center, n);
     return center + s->f->now[b].radius > height
-        && height_of(s, b, n) > height;
+        && rise_over(s, b, n) > height;
 }
 
 // Is p in body or plane b, or outside by no more than flush?  (A round body
@@ -154,8 +154,8 @@ static bool is_behind(const slider *s, const side *b, const side *c)
 {
     real flush = flush_of(s, b->b);
     return vec3_dot(b->n, c->n) < ALIKE && stay_together(s, b->b, c->b)
-        && !stands_out(s, b->b, c->n, c->height + flush)
-        && stands_out(s, c->b, b->n, b->height + flush);
+        && !juts_out(s, b->b, c->n, c->height + flush)
+        && juts_out(s, c->b, b->n, b->height + flush);
 }
 
 // Rule 2.  All points in which A touches B lie in C, or on it, and C stands out
@@ -164,7 +164,7 @@ static bool is_covered(const slider *s, const side *b, int c)
 {
     real flush = flush_of(s, b->b);
     if (!stay_together(s, b->b, c)) return false;
-    if (!stands_out(s, c, b->n, b->height + flush)) return false;
+    if (!juts_out(s, c, b->n, b->height + flush)) return false;
     for (int k = 0; k < b->points; k++)
         if (!holds_point(s, c, b->at[k], flush)) return false;
     return b->points > 0;
@@ -239,7 +239,8 @@ static bool find_foot(const collider *x, vec3 m, vec3 p, feature_point *foot)
 static manifold touches_along(const collider *a, const collider *b, vec3 m,
                               real margin, real turn)
 {
-    int tip_a = furthest(a, vec3_scale(-1, m)), tip_b = furthest(b, m);
+    int tip_a = furthest_vertex(a, vec3_scale(-1, m));
+    int tip_b = furthest_vertex(b, m);
     query_result r = { true, m, { { 1, { tip_a }, { 1 } },
                                   { 1, { tip_b }, { 1 } }, 0 } };
     feature_point foot;
@@ -255,7 +256,7 @@ static manifold touches_along(const collider *a, const collider *b, vec3 m,
 }
 
 // m, as far as the bodies of a contact may come nearer until they are asked.
-static real reach_of(const slider *s, const contact *x)
+static real contact_reach(const slider *s, const contact *x)
 {
     const cache_frame *f = s->f;
     real slack = f->stay * (f->now[x->piece_a].radius + f->now[x->piece_b].radius);
@@ -269,14 +270,14 @@ static manifold find_along(const slider *s, const contact *x, vec3 m)
     const cache_frame *f = s->f;
     collider a = cache_collider(s->c, f, x->piece_a);
     collider b = cache_collider(s->c, f, x->piece_b);
-    vec3 moved[MOST_VERTICES];
-    if (a.shape->particles > MOST_VERTICES) return (manifold){ .count = 0 };
+    vec3 moved[MOST_CORNERS];
+    if (a.shape->particles > MOST_CORNERS) return (manifold){ .count = 0 };
     vec3 way = vec3_sub(f->ahead[x->piece_a].way, f->ahead[x->piece_b].way);
     way = vec3_add_scaled(way, -vec3_dot(way, m), m);
     for (int v = 0; v < a.shape->particles; v++)
         moved[v] = vec3_add(a.at[v], way);
     a.at = moved;
-    return touches_along(&a, &b, m, reach_of(s, x),
+    return touches_along(&a, &b, m, contact_reach(s, x),
                          f->ahead[x->piece_a].angle + f->ahead[x->piece_b].angle);
 }
 //<
@@ -285,8 +286,8 @@ static manifold find_along(const slider *s, const contact *x, vec3 m)
 //>   The contact gets other points, and the load that it had.
 // Each point of what was hands its impulse to the nearest, as contact_inherit
 // does; none, if the normal was further off than that (a cosine).
-static void carry(const slider *s, const side *x, const contact *was,
-                  real alike)
+static void carry_load(const slider *s, const side *x, const contact *was,
+                       real alike)
 {
     contact *t = x->contact;
     bool is_a = t->piece_a == s->a, was_a = was->piece_a == s->a;
@@ -302,27 +303,27 @@ static void carry(const slider *s, const side *x, const contact *was,
     t->twist += was->twist;
 }
 
-static void take(const slider *s, side *x, const manifold *m)
+static void take_manifold(const slider *s, side *x, const manifold *m)
 {
     contact *t = x->contact;
     cache_take(t, m, s->f, false);
     see_side(s, x);
     contact_clear(t);
-    carry(s, x, &s->c->was[x->pair->entry], CONTACT_SAME);
+    carry_load(s, x, &s->c->was[x->pair->entry], CONTACT_SAME);
 }
 
 static bool aim(const slider *s, side *x, vec3 m)
 {
     vec3 to_a = x->contact->a == s->a ? m : vec3_scale(-1, m);
     manifold found = find_along(s, x->contact, to_a);
-    if (found.count > 0) take(s, x, &found);
+    if (found.count > 0) take_manifold(s, x, &found);
     return found.count > 0;
 }
 
 // m, how far A and B are apart along m; < 0: they overlap.
 static real apart_along(const slider *s, int b, vec3 m)
 {
-    return -height_of(s, s->a, vec3_scale(-1, m)) - height_of(s, b, m);
+    return -rise_over(s, s->a, vec3_scale(-1, m)) - rise_over(s, b, m);
 }
 //<
 
@@ -472,7 +473,7 @@ static void carry_floor(const slider *s, const side *x, const int *of, int n)
         bool is_one = false;
         for (int k = 0; k < n; k++) is_one |= of[k] == i;
         if (y->is_new && (is_one || y->points == 0))
-            carry(s, x, &s->c->was[y->pair->entry], ALIKE);
+            carry_load(s, x, &s->c->was[y->pair->entry], ALIKE);
     }
 }
 
@@ -481,7 +482,8 @@ static void merge_floor(slider *s, const int *of, int n)
 {
     side *x = &s->side[of[0]];
     collider a = cache_collider(s->c, s->f, s->a);
-    manifold m = manifold_on_plane(&a, x->n, x->height, reach_of(s, x->contact),
+    manifold m = manifold_on_plane(&a, x->n, x->height,
+                                   contact_reach(s, x->contact),
                                    s->f->ahead[s->a].angle);
     for (int k = 0; k < m.count; k++)
         if (!is_over(s, of, n, a.at[m.point[k].a.vertex[0]])) return;

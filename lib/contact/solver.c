@@ -6,13 +6,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-static bool is_driven(const solver_frame *f, int body)
+static bool is_side_driven(const solver_frame *f, int body)
 {
     return body >= 0 && f->body[body].is_driven;
 }
 
 // Does a push move it?
-static bool yields(const solver_frame *f, int body)
+static bool side_yields(const solver_frame *f, int body)
 {
     return body >= 0 && f->body[body].basis.inverse_mass > 0
         && !f->body[body].is_driven;
@@ -25,7 +25,7 @@ static real find_above(active_contact *x, const contact *c,
 {
     real up = vec3_dot(c->normal, f->gravity);      // > 0: B lies on A
     int above = up > 0 ? c->b : c->a;
-    if (!(x->load > 0) || !yields(f, above)) return 0;
+    if (!(x->load > 0) || !side_yields(f, above)) return 0;
     x->above = above;
     x->lift = x->load * fabs(up);
     return fabs(up) / f->body[above].basis.inverse_mass;
@@ -47,13 +47,13 @@ static void activate(active_contact *x, const contact *c, const solver_frame *f,
     real gap[CONTACT_POINTS];
     const rigid_frame *b = c->b < 0 ? NULL : &f->body[c->b].frame;
     real height = c->b < 0 ? f->plane[-1 - c->b].offset : 0;
-    bool yields_a = yields(f, c->a), yields_b = yields(f, c->b);
+    bool yields_a = side_yields(f, c->a), yields_b = side_yields(f, c->b);
     x->found = c->found;
     x->a = yields_a ? c->a : c->b;
     x->b = yields_a ? c->b : c->a;
     x->is_swapped = !yields_a;
     x->sides = yields_a && yields_b ? TWO_SIDED
-             : is_driven(f, x->b)   ? DRIVEN_SIDED : ONE_SIDED;
+             : is_side_driven(f, x->b)   ? DRIVEN_SIDED : ONE_SIDED;
     x->load = contact_load(c);
     x->least = HUGE_VAL;
     x->count = 0;
@@ -184,7 +184,7 @@ static bool may_keep_all(const contact_solver *s, const solver_frame *f)
     return true;
 }
 
-static bool make_room(contact_solver *s, int n)
+static bool make_solver_room(contact_solver *s, int n)
 {
     int capacity = s->capacity;
     if (n > s->capacity) s->contacts = 0;
@@ -244,7 +244,7 @@ bool solver_look(contact_solver *s, const solver_frame *f,
                  const contact *const *table, const real *reach, int n)
 {
     preparation p = { .s = s, .f = f, .table = table, .reach = reach };
-    if (!make_room(s, n)) {
+    if (!make_solver_room(s, n)) {
         forget_blocks(s);
         return false;
     }
@@ -414,7 +414,7 @@ typedef struct {
     contact *const *table;
 } storing;
 
-static void store_block(contact_solver *s, const block *x, contact *const *table)
+static void write_block(contact_solver *s, const block *x, contact *const *table)
 {
     for (int l = 0; l < REAL4; l++) {
         int k = x->contact[l];
@@ -442,7 +442,7 @@ static void store_chunk(void *data, int item)
         const block *next = &q->s->block[int_min(n + AHEAD / REAL4, end - 1)];
         for (int l = 0; l < REAL4; l++)
             if (next->contact[l] >= 0) contact_expect(q->table[next->contact[l]]);
-        store_block(q->s, &q->s->block[n], q->table);
+        write_block(q->s, &q->s->block[n], q->table);
     }
 }
 
@@ -477,7 +477,7 @@ static void give_blocks(contact_solver *s, contact *const *table, bool are_new)
 {
     for (int n = 0; n < s->blocks; n++) {
         const block *x = &s->block[n];
-        if (has_new(s, x) == are_new) store_block(s, x, table);
+        if (has_new(s, x) == are_new) write_block(s, x, table);
     }
 }
 

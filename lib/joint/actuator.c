@@ -82,8 +82,8 @@ status actuator_set_spring(joint *j, real rest, real stiffness, real damping,
 //>   How hard is it to move a body along the free way of its joint? A door turns
 //>   about its hinge, and not about its centre. So the row alone does not say it:
 //>   it is the last number of the inverse of $`K`$, with the rows that hold.
-static real coupling(const joint_rows *r, int k, int l, real mass_a,
-                     real mass_b)
+static real row_coupling(const joint_rows *r, int k, int l, real mass_a,
+                         real mass_b)
 {
     real straight_a = 0, straight_b = 0, turning = 0;
     for (int i = 0; i < MOTION_TURN; i++) {
@@ -101,7 +101,7 @@ real actuator_inverse(const joint_rows *r, real mass_a, real mass_b)
     int last = r->held;
     for (int i = 0; i <= last; i++)
         for (int m = 0; m <= last; m++)
-            k[i][m] = coupling(r, i, m, mass_a, mass_b);
+            k[i][m] = row_coupling(r, i, m, mass_a, mass_b);
     small_invert(last + 1, k);
     return k[last][last] > 0 ? 1 / k[last][last] : 0;
 }
@@ -172,7 +172,7 @@ static bool is_hard(const joint_drive *d)
     return d->limit != 0 || (d->motor == 0 && d->force > 0);
 }
 
-static bool is_soft(const joint_drive *d, const joint_rows *r)
+static bool is_spring(const joint_drive *d, const joint_rows *r)
 {
     return !is_hard(d) && d->spring == 0 && r->slope > 0;
 }
@@ -190,7 +190,7 @@ void actuator_begin(joint *j, joint_rows *r, real h, real kick)
     r->kick = d->is_new ? h / 2 : kick;
     d->is_new = false;
     find_spring(j, r, h);
-    if (!is_hard(d) && !is_soft(d, r)) j->impulse[r->held] = given(d, r);
+    if (!is_hard(d) && !is_spring(d, r)) j->impulse[r->held] = given(d, r);
     r->kept = j->impulse[r->held];
 }
 
@@ -199,11 +199,11 @@ static void soften(const joint *j, joint_rows *r, int n,
 {
     int own = r->held;
     real hard = r->give[own];
-    real give = is_soft(&j->drive, r) ? 1 / r->slope : hard;
+    real give = is_spring(&j->drive, r) ? 1 / r->slope : hard;
     k[own][own] += give - hard;
     r->hard = hard;
     r->give[own] = give;
-    if (is_hard(&j->drive) || is_soft(&j->drive, r)) return;
+    if (is_hard(&j->drive) || is_spring(&j->drive, r)) return;
     for (int i = 0; i < n; i++) k[own][i] = k[i][own] = 0;
     r->give[own] = 0;
 }
@@ -233,7 +233,7 @@ real actuator_want(const joint *j, joint_rows *r, real h, real max_speed,
     // It gives way to what is new, so that a brake does not creep under a load.
     if (is_hard(d))
         return d->speed - r->speed - r->hard * (impulse - r->kept);
-    if (is_soft(d, r))
+    if (is_spring(d, r))
         return (given(d, r) - impulse) / r->slope - r->speed;
     return 0;
 }
@@ -244,7 +244,7 @@ real actuator_want(const joint *j, joint_rows *r, real h, real max_speed,
 //>   joint is solved, looked at, and solved again where something has changed.
 // A limit holds, and would be left if it let go: then the motor, which gives its
 // most one way or the other, brings more than all that is needed.
-static void release(joint_drive *d, const joint_rows *r, real needed)
+static void release_limit(joint_drive *d, const joint_rows *r, real needed)
 {
     int off = -d->limit;
     bool helps = off * (d->speed - r->room[d->limit > 0]) > 0;
@@ -271,14 +271,14 @@ bool actuator_switch(joint *j, const joint_rows *r, real *more)
     real gives = r->pull - r->slope * r->speed;
     real needed = impulse - spring_at(j, r, r->speed);
     *more = 0;
-    if (d->limit != 0)                  release(d, r, needed);
+    if (d->limit != 0)                  release_limit(d, r, needed);
     else if (r->speed < r->room[0])     d->limit = -1;
     else if (r->speed > r->room[1])     d->limit = 1;
     else                                switch_motor(d, r, impulse, needed);
     d->spring = (gives > most) - (gives < -most);
     if (d->limit == was.limit && d->motor == was.motor
         && d->spring == was.spring) return false;
-    if (!is_hard(d) && !is_soft(d, r)) *more = given(d, r) - impulse;
+    if (!is_hard(d) && !is_spring(d, r)) *more = given(d, r) - impulse;
     return true;
 }
 //<

@@ -17,7 +17,7 @@ void linkage_free(linkage *l)
     *l = (linkage){ .count = 0 };
 }
 
-static bool make_room(linkage *l, const joint *j)
+static bool make_joint_room(linkage *l, const joint *j)
 {
     int n = l->count, room = table_room(n + 1, l->capacity);
     int need = 1 + int_max(j->a, j->b), bodies = table_room(need, l->bodies);
@@ -44,7 +44,7 @@ static bool make_room(linkage *l, const joint *j)
     return true;
 }
 
-static bool holds(const joint *j)
+static bool joint_holds(const joint *j)
 {
     return j->kind != JOINT_NONE && !j->is_broken;
 }
@@ -64,7 +64,7 @@ void linkage_count_pins(linkage *l)
     for (int k = 0; k < l->ties; k++) l->tied[k].pins = 0;
     for (int k = 0; k < l->count; k++) {
         const joint *j = &l->joint[k];
-        if (j->kind != JOINT_PIN || !holds(j) || j->may_touch || j->b < 0)
+        if (j->kind != JOINT_PIN || !joint_holds(j) || j->may_touch || j->b < 0)
             continue;
         tie_of(l, j->a, j->b)->pins++;
     }
@@ -83,7 +83,7 @@ void linkage_untie_body(linkage *l, int b)
 }
 
 // The place of a joint that has gone, if there is one.
-static int free_place(const linkage *l)
+static int free_joint(const linkage *l)
 {
     int k = l->gone > 0 ? 0 : l->count;
     while (k < l->count && l->joint[k].kind != JOINT_NONE) k++;
@@ -98,8 +98,8 @@ static void will_be_seen(linkage *l, int b)
 
 status linkage_add(linkage *l, const joint *j, int *number)
 {
-    if (!make_room(l, j)) return status_out_of_memory();
-    int k = free_place(l);
+    if (!make_joint_room(l, j)) return status_out_of_memory();
+    int k = free_joint(l);
     if (k < l->count)   l->gone--;
     else                l->count++;
     if (number) *number = k;
@@ -129,7 +129,7 @@ static long long key_of(int a, int b)
     return int_min(a, b) * (1LL << 32) + int_max(a, b);
 }
 
-static int compare(const void *x, const void *y)
+static int compare_keys(const void *x, const void *y)
 {
     long long a = *(const long long *)x, b = *(const long long *)y;
     return (a > b) - (a < b);
@@ -139,17 +139,17 @@ void linkage_find_apart(linkage *l)
 {
     l->aparts = 0;
     for (int k = 0; k < l->count; k++)
-        if (holds(&l->joint[k]) && !l->joint[k].may_touch)
+        if (joint_holds(&l->joint[k]) && !l->joint[k].may_touch)
             l->apart[l->aparts++] = key_of(l->joint[k].a, l->joint[k].b);
     if (l->aparts > 0)
-        qsort(l->apart, (size_t)l->aparts, sizeof *l->apart, compare);
+        qsort(l->apart, (size_t)l->aparts, sizeof *l->apart, compare_keys);
 }
 
 bool linkage_keeps_apart(const linkage *l, int a, int b)
 {
     long long key = key_of(a, b);
     return l->aparts > 0 && bsearch(&key, l->apart, (size_t)l->aparts,
-                                    sizeof key, compare);
+                                    sizeof key, compare_keys);
 }
 //<
 
@@ -180,7 +180,7 @@ static int yielding(const solver_frame *f, const joint *j)
     return yields(f, j->a) ? j->a : j->b;
 }
 
-static const rigid_frame *frame_of(const linkage_pass *q, int b)
+static const rigid_frame *joined_frame(const linkage_pass *q, int b)
 {
     return b < 0 ? &JOINT_WORLD : &q->f->body[b].frame;
 }
@@ -220,7 +220,7 @@ void linkage_go(linkage *l, const linkage_pass *q, int b, solver_body *now)
 
 static const rigid_frame *end_of(const linkage *l, const linkage_pass *q, int b)
 {
-    return moves(q->f, b) ? &l->body[b].end.frame : frame_of(q, b);
+    return moves(q->f, b) ? &l->body[b].end.frame : joined_frame(q, b);
 }
 //<
 
@@ -239,8 +239,8 @@ ALWAYS_INLINE int straight_end(int rows, int row)
     return rows == 3 ? row + 1 : MOTION_TURN;
 }
 
-ALWAYS_INLINE real row_dot(int rows, int k, const real row[MOTIONS],
-                           const real speed[MOTIONS])
+ALWAYS_INLINE real rows_dot(int rows, int k, const real row[MOTIONS],
+                            const real speed[MOTIONS])
 {
     real sum = 0;
     for (int i = straight_first(rows, k); i < straight_end(rows, k); i++)
@@ -265,7 +265,7 @@ ALWAYS_INLINE void take_speed(real *speed, int rows, real (*row)[MOTIONS],
                        const real velocity[MOTIONS])
 {
     for (int k = 0; k < rows; k++)
-        speed[k] -= row_dot(rows, k, row[k], velocity);
+        speed[k] -= rows_dot(rows, k, row[k], velocity);
 }
 
 // An impulse, in the coordinates of a body's motion.
@@ -599,7 +599,7 @@ static joint_role choose_role(linkage *l, const linkage_pass *q, int k)
 {
     const joint *j = &l->joint[k];
     bool moves_a = moves(q->f, j->a), moves_b = moves(q->f, j->b);
-    if (!holds(j) || j->kind == JOINT_PIN
+    if (!joint_holds(j) || j->kind == JOINT_PIN
         || (!yields(q->f, j->a) && !yields(q->f, j->b)) || !is_in(q, j))
         return JOINT_IDLE;
     if (l->is_plain) return JOINT_ALONE;
@@ -647,7 +647,7 @@ static void lay_tree(linkage *l, const linkage_pass *q, int first)
 static void choose_roles(linkage *l, const linkage_pass *q)
 {
     for (int k = 0; k < l->count; k++) {
-        if (!holds(&l->joint[k])) continue;
+        if (!joint_holds(&l->joint[k])) continue;
         reset_body(l, l->joint[k].a);
         reset_body(l, l->joint[k].b);
     }
@@ -700,7 +700,7 @@ ALWAYS_INLINE void find_answers(int n, const linkage_body *x,
                 sum[m] += row[a][i] * x->answer[i][m];
         memcpy(answer[a], sum, sizeof sum);
         for (int b = 0; b <= a; b++)
-            k[b][a] = k[a][b] += row_dot(n, b, row[b], sum);
+            k[b][a] = k[a][b] += rows_dot(n, b, row[b], sum);
     }
 }
 
@@ -890,7 +890,8 @@ static void settle_tree(linkage *l, const linkage_pass *q, int first, int end,
 }
 
 // What stands alone first, every other time last to first; then the trees.
-static void settle(linkage *l, const linkage_pass *q, wanting *what, int rounds)
+static void settle_bounds(linkage *l, const linkage_pass *q, wanting *what,
+                          int rounds)
 {
     l->is_backward = !l->is_backward;
     for (int i = 0; i < l->count; i++) {
@@ -915,7 +916,7 @@ static real length_of(const real *x, int n)
 }
 
 // By how much (m) the points are not where they should be.
-static real apart(const joint *j, const joint_rows *r)
+static real parted_by(const joint *j, const joint_rows *r)
 {
     const real *e = r->error;
     if (j->kind == JOINT_DISTANCE && j->is_driven) return 0;
@@ -931,7 +932,7 @@ static real apart(const joint *j, const joint_rows *r)
 static const real PARTED = 0.01;            // tuned, radii
 
 // What is far apart comes together no faster than an overlap goes.
-static real share_of(const linkage *l, int k, const solver_frame *f)
+static real share_at_once(const linkage *l, int k, const solver_frame *f)
 {
     const joint_rows *r = &l->rows[k];
     real sum = 0, most = f->max_speed * f->h;
@@ -945,8 +946,8 @@ static void find_rows_of(linkage *l, const linkage_pass *q, int k)
 {
     joint *j = &l->joint[k];
     joint_rows *r = &l->rows[k];
-    joint_side a = { basis_of(q->f, j->a), *frame_of(q, j->a) };
-    joint_side b = { basis_of(q->f, j->b), *frame_of(q, j->b) };
+    joint_side a = { basis_of(q->f, j->a), *joined_frame(q, j->a) };
+    joint_side b = { basis_of(q->f, j->b), *joined_frame(q, j->b) };
     bool was_upper = r->is_upper;
     joint_find_rows(r, j, &a, &b);
     if (j->is_limited && r->is_upper != was_upper) j->impulse[r->held] = 0;
@@ -954,9 +955,9 @@ static void find_rows_of(linkage *l, const linkage_pass *q, int k)
         j->impulse[4] = j->cone_holds[1] = 0;
     r->count = r->held + (j->is_limited && j->impulse[r->held] > 0)
              + j->extra;
-    r->share = share_of(l, k, q->f);
-    l->worst = real_max(l->worst, apart(j, r));
-    l->parted += apart(j, r) > PARTED * r->size;
+    r->share = share_at_once(l, k, q->f);
+    l->worst = real_max(l->worst, parted_by(j, r));
+    l->parted += parted_by(j, r) > PARTED * r->size;
     if (l->role[k] == JOINT_ALONE) factor_alone(l, q, k);
 }
 
@@ -979,7 +980,7 @@ static void find_rows(linkage *l, const linkage_pass *q)
 // body turns, this stays.
 static real swing_of(const linkage_pass *q, int b, vec3 local)
 {
-    const rigid_frame *f = frame_of(q, b);
+    const rigid_frame *f = joined_frame(q, b);
     vec3 arm = vec3_sub(frame_point(f, local), f->center);
     real sum = 0, length = vec3_length(arm);
     for (int t = 0; t < TURNS; t++)
@@ -994,7 +995,7 @@ static real hung_swing(const linkage_pass *q, int b, real swing)
     return inverse > 0 ? sqrt(vec3_length(q->f->gravity) / inverse * swing) : 0;
 }
 
-static real size_of(const linkage_pass *q, int b)
+static real joined_size(const linkage_pass *q, int b)
 {
     return moves(q->f, b) ? q->f->body[b].radius : HUGE_VAL;
 }
@@ -1015,7 +1016,7 @@ static void find_sizes(linkage *l, const linkage_pass *q)
         real b = swing_of(q, j->b, j->local_b);
         r->swing = real_max(a, b);
         r->hung = real_max(hung_swing(q, j->a, a), hung_swing(q, j->b, b));
-        r->size = real_min(size_of(q, j->a), size_of(q, j->b));
+        r->size = real_min(joined_size(q, j->a), joined_size(q, j->b));
     }
     for (int first = 0, end; first < l->steps; first = end) {
         end = tree_end(l, first);
@@ -1139,8 +1140,8 @@ enum { IMPACT_STEPS = 3 };                  // tuned, steps
 
 void linkage_push(linkage *l, const linkage_pass *q)
 {
-    if (l->is_driven)   settle(l, q, want_driven_together, IMPACT_STEPS);
-    else                settle(l, q, want_together, IMPACT_STEPS);
+    if (l->is_driven)   settle_bounds(l, q, want_driven_together, IMPACT_STEPS);
+    else                settle_bounds(l, q, want_together, IMPACT_STEPS);
 }
 //<
 
@@ -1158,12 +1159,12 @@ static real force_of(const joint *j, const joint_rows *r, real h)
     return sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) / h;
 }
 
-// A substep turns a body by 0.075 rad (FOLLOWED / TURNED, substeps.c): how fast it
+// A substep turns a body by 0.075 rad (FOLLOWED / TURN_PACE, substeps.c): how fast it
 // turns, and would swing under its own weight, decides how exact its orbit is.  With
 // this 5 of 27 thrown linkages (chapter 20, case 169) change their energy by more
 // than a thousandth, with three quarters of it 10, and 4 of 36 conical pendulums
 // (case 163) go round too fast.
-static const real TURNED = 8;               // tuned, 1
+static const real TURN_PACE = 8;               // tuned, 1
 
 // rad^2/s^2
 static real spin_squared(const linkage_pass *q, int b)
@@ -1177,7 +1178,7 @@ static vec3 velocity_of(const linkage_pass *q, int b, vec3 at)
 {
     if (!moves(q->f, b)) return (vec3){ 0, 0, 0 };
     return motion_at(basis_of(q->f, b), &q->velocity[b],
-                     vec3_sub(at, frame_of(q, b)->center));
+                     vec3_sub(at, joined_frame(q, b)->center));
 }
 
 // The way between two points that are kept at a distance turns, too; its bodies
@@ -1186,7 +1187,7 @@ static real swung_squared(const linkage_pass *q, const joint *j)
 {
     vec3 a, b;
     if (j->kind != JOINT_DISTANCE || j->is_driven || !(j->force > 0)) return 0;
-    joint_points(j, frame_of(q, j->a), frame_of(q, j->b), &a, &b);
+    joint_points(j, joined_frame(q, j->a), joined_frame(q, j->b), &a, &b);
     vec3 way = vec3_sub(b, a);
     vec3 speed = vec3_sub(velocity_of(q, j->b, b), velocity_of(q, j->a, a));
     real most = j->most * j->most;
@@ -1207,7 +1208,7 @@ static void break_overloaded(linkage *l, const linkage_pass *q)
         real turns = sqrt(real_max(real_max(spin_squared(q, j->a),
                                             spin_squared(q, j->b)),
                                    swung_squared(q, j)));
-        swing = real_max(swing, TURNED * real_max(turns, l->rows[k].hung));
+        swing = real_max(swing, TURN_PACE * real_max(turns, l->rows[k].hung));
         l->rows[k].pace = real_max(l->rows[k].pace, swing);
         l->swing = real_max(l->swing, swing);
         if (!(j->force > j->strength)) continue;
@@ -1221,8 +1222,8 @@ void linkage_relax(linkage *l, const linkage_pass *q)
 {
     if (l->count == 0) return;
     find_rows(l, q);
-    if (l->is_driven)   settle(l, q, want_driven_rest, 1);
-    else                settle(l, q, want_rest, 1);
+    if (l->is_driven)   settle_bounds(l, q, want_driven_rest, 1);
+    else                settle_bounds(l, q, want_rest, 1);
     find_speeds(l, q);
     break_overloaded(l, q);
     if (l->is_stale) begin_roles(l, q);

@@ -8,7 +8,7 @@ static particle *particle_of(const soft_frame *f, const joint *j)
     return &f->particle[f->body[j->a].first + j->particle];
 }
 
-static bool holds(const soft_frame *f, const joint *j)
+static bool pin_holds(const soft_frame *f, const joint *j)
 {
     return j->kind == JOINT_PIN && !j->is_broken && is_moving_soft(f, j->a);
 }
@@ -37,8 +37,8 @@ static pin_place place_of(const soft_frame *f, const joint *j)
 }
 
 // An impulse of 1 / h closes what a push of 1 kg m closes: both ways at once.
-static void push_both(const soft_frame *f, joint *j, const pin_place *x,
-                      vec3 push)
+static void push_pinned(const soft_frame *f, joint *j, const pin_place *x,
+                        vec3 push)
 {
     particle *p = particle_of(f, j);
     p->position = vec3_add_scaled(p->position, p->inverse_mass, push);
@@ -54,7 +54,7 @@ static void push_both(const soft_frame *f, joint *j, const pin_place *x,
 }
 
 // A ball joint of a body and a particle.
-static void meet(const soft_frame *f, joint *j)
+static void meet_pin(const soft_frame *f, joint *j)
 {
     const particle *p = particle_of(f, j);
     pin_place x = place_of(f, j);
@@ -69,7 +69,7 @@ static void meet(const soft_frame *f, joint *j)
     }
     small_invert(3, k);
     small_times(3, k, push);
-    push_both(f, j, &x, vec3_make(push[0], push[1], push[2]));
+    push_pinned(f, j, &x, vec3_make(push[0], push[1], push[2]));
 }
 //<
 
@@ -96,10 +96,10 @@ void pins_begin(linkage *l, const soft_frame *f)
 {
     for (int k = 0; k < l->count; k++) {
         joint *j = &l->joint[k];
-        if (!holds(f, j)) continue;
+        if (!pin_holds(f, j)) continue;
         particle *p = particle_of(f, j);
         for (int i = 0; i < 3; i++) j->impulse[i] = 0;
-        meet(f, j);
+        meet_pin(f, j);
         j->own = p->inverse_mass;
         j->start = p->position;
         if (j->own > 0) p->inverse_mass = inverse_of_both(f, j, j->own);
@@ -112,14 +112,14 @@ void pins_end(linkage *l, const soft_frame *f)
 {
     for (int k = 0; k < l->count; k++) {
         joint *j = &l->joint[k];
-        if (!holds(f, j)) continue;
+        if (!pin_holds(f, j)) continue;
         particle *p = particle_of(f, j);
         vec3 way = vec3_sub(p->position, j->start);
         if (j->own > 0)
             way = vec3_scale(j->own / p->inverse_mass, way);
         p->position = vec3_add(j->start, way);
         p->inverse_mass = j->own;
-        meet(f, j);
+        meet_pin(f, j);
         j->force = vec3_length(vec3_make(j->impulse[0], j->impulse[1],
                                          j->impulse[2])) / f->h;
         // So fast do the particles of a strand swing that such a pull tightens.

@@ -12,7 +12,7 @@ enum { CORNERS = 512, FACES = 2 * CORNERS };    // Euler: F = 2 V - 4
 // Times the size of the polytope: lengths below are rounding errors.
 static const real ROUNDING = 1e-14;
 static const real THIN = 1e-5;      // times its square: areas of slivers
-static const real ENOUGH = 2e-15;   // a dozen roundings: w is no further out
+static const real OUT_ENOUGH = 2e-15;   // a dozen roundings: w is no further out
 
 typedef struct {
     int  of[3];         // corners, counter-clockwise as seen from outside
@@ -136,7 +136,7 @@ static void add_tetrahedron(polytope *p)
 
 // Where bodies touch, GJK ends with fewer than four corners: others join them,
 // until they span a volume.  False if all of A - B lies in a plane.
-static bool begin(polytope *p, const simplex *start)
+static bool begin_polytope(polytope *p, const simplex *start)
 {
     assert(start->count > 0);
     p->corners = p->faces = 0, p->size = 0;
@@ -258,7 +258,7 @@ static hit_result face_result(const polytope *p, face *t, vec3 w)
 // Is the corner w clearly beyond the face t, which has the unit normal n?
 static bool is_beyond(const polytope *p, const face *t, vec3 n, corner w)
 {
-    return vec3_dot(n, vec3_sub(w.at, t->v)) > ENOUGH * p->size;
+    return vec3_dot(n, vec3_sub(w.at, t->v)) > OUT_ENOUGH * p->size;
 }
 
 // The corner of A - B furthest along n.  Where a climb from the face finds none
@@ -288,7 +288,7 @@ hit_result hit_face_climb(const hull_mesh *a, const hull_mesh *b,
     bool found = false;
     int iterations = 0;
     p.a = *a, p.b = *b;
-    if (!begin(&p, start)) return flat_result(&p, start);
+    if (!begin_polytope(&p, start)) return flat_result(&p, start);
     for (; !found && p.faces > 0 && p.corners < CORNERS; iterations++) {
         int closest = closest_face(&p);
         t = p.face[closest];

@@ -162,7 +162,7 @@ scene_options scene_options_default(void)
                             .seed = 1 };
 }
 
-static status check_options(const scene_options *what)
+static status check_scene_options(const scene_options *what)
 {
     if (what->bodies < 1 || what->bodies > 20000)
         return status_fail("bodies is %d; it must lie between 1 and 20000",
@@ -195,7 +195,7 @@ status scene_build(scene *s, scene_kind kind, scene_options what)
     };
     assert(kind >= 0 && kind < SCENES);
     scene_init(s);
-    status done = check_options(&what);
+    status done = check_scene_options(&what);
     if (done.ok) done = build[kind](s, &what);
     if (what.thrown) shape_free(what.thrown);   // empty if it has moved
     if (!done.ok) scene_free(s);

@@ -47,7 +47,7 @@ static bool weigh_tetrahedron(const vec3 *q, real weight[4])
 
 // The centre of the smallest sphere that has all n points on it, 1 to 4, as
 // their weighted mean; false if fewer of them fix a smaller one.
-static bool weigh(const vec3 *q, int n, real weight[4])
+static bool weigh_points(const vec3 *q, int n, real weight[4])
 {
     if (n == 4) return weigh_tetrahedron(q, weight);
     if (n == 3) return weigh_triangle(q[0], q[1], q[2], weight);
@@ -88,7 +88,7 @@ static bool fix_by(trial *s, const trial *all, int bits)
         s->index[s->count] = all->index[i];
         s->at[s->count++] = all->at[i];
     }
-    if (s->count > 4 || !weigh(s->at, s->count, s->weight)) return false;
+    if (s->count > 4 || !weigh_points(s->at, s->count, s->weight)) return false;
 
     s->center = s->at[0];
     for (int i = 1; i < s->count; i++)

@@ -85,7 +85,7 @@ static void find_pair(particle_system *s, int i, int j)
 //> system-contact
 // Room for one more in a list of count; NULL if memory is refused, and then the
 // old list stands.
-static void *grown(void *list, int count, int *room, size_t size)
+static void *grown_list(void *list, int count, int *room, size_t size)
 {
     if (count < *room) return list;
     void *more = realloc(list, (size_t)(2 * count + 64) * size);
@@ -104,8 +104,8 @@ static feature_contact contact_of(const system_body *a, const system_body *b,
 
 static void add_contact(particle_system *s, feature_contact c, int lifetime)
 {
-    system_contact *more = grown(s->contact, s->contacts, &s->contact_room,
-                                 sizeof *more);
+    system_contact *more = grown_list(s->contact, s->contacts, &s->contact_room,
+                                      sizeof *more);
     if (!more) {
         s->report.dropped++;
         return;
@@ -274,7 +274,7 @@ static int leaf_pairs(particle_system *s, system_body *a, system_body *b)
             : sphere_tree_pairs(&a->tree, at_a, &b->tree, at_b, 0, s->leaf,
                                 s->leaf_room);
         if (r.pairs <= s->leaf_room) return r.pairs;
-        leaf_pair *more = grown(s->leaf, r.pairs, &s->leaf_room, sizeof *more);
+        leaf_pair *more = grown_list(s->leaf, r.pairs, &s->leaf_room, sizeof *more);
         if (!more) {
             s->report.dropped += r.pairs - s->leaf_room;
             return s->leaf_room;

@@ -26,7 +26,7 @@ struct question {
 };
 
 // The hull of body b of the engine where it stands; its vertices go to at.
-static rounded body_hull(const tumble_world *w, int b, vec3 *at)
+static rounded rounded_body(const tumble_world *w, int b, vec3 *at)
 {
     const body *x = &w->world.body[b];
     world_vertices(&w->world, x, at);
@@ -34,7 +34,7 @@ static rounded body_hull(const tumble_world *w, int b, vec3 *at)
 }
 
 // m^2, how near the way comes to x.
-static real way_to(const question *q, vec3 x)
+static real point_way(const question *q, vec3 x)
 {
     vec3 d = vec3_sub(x, q->around.center);
     real square = vec3_length_squared(q->way), along = vec3_dot(d, q->way);
@@ -50,10 +50,10 @@ static bool may_be_met(const tumble_world *w, int b, const question *q)
     vec3 center = rigid4_frame(w->world.pool.at + x->first).center;
     real near = q->around.radius + x->rigid->reach;
     // Written so that what is not finite is asked.
-    return !(way_to(q, center) > near * near * (1 + 1e-9));
+    return !(point_way(q, center) > near * near * (1 + 1e-9));
 }
 
-static sphere ball_around(rounded h)
+static sphere ball_of_rounded(rounded h)
 {
     vec3 sum = { 0, 0, 0 };
     for (int k = 0; k < h.core.count; k++) sum = vec3_add(sum, h.core.at[k]);
@@ -64,7 +64,7 @@ static sphere ball_around(rounded h)
     return (sphere){ center, most + h.round };
 }
 
-static void take(tumble_hit *best, const cast_result *r, tumble_body b)
+static void take_hit(tumble_hit *best, const cast_result *r, tumble_body b)
 {
     if (!r->hits || !(r->fraction < best->fraction)) return;
     *best = (tumble_hit){ b, to_user(r->point), to_user(r->normal),
@@ -142,7 +142,7 @@ static real ask_prism(void *context, int triangle)
     surface_prism(m->surface, triangle, at);
     cast_result r = m->q->ask(m->q, (rounded){ { at, PRISM_CORNERS }, 0, 0 }, NULL,
                               at + m->w->most_vertices);
-    take(m->best, &r, m->body);
+    take_hit(m->best, &r, m->body);
     real best = m->best->fraction;
     return best > 0 ? real_min(best, m->q->most) : -1;
 }
@@ -186,12 +186,12 @@ static void ask_facets(const tumble_world *w, int b, const question *q,
         int vertex[3], n = facet_of(x->shape, k, vertex);
         for (int i = 0; i < n; i++) at[i] = p[vertex[i]].position;
         rounded facet = { { at, n }, is_cloth ? 0 : x->thickness, 0 };
-        sphere ball = ball_around(facet);
+        sphere ball = ball_of_rounded(facet);
         real near = ball.radius + q->around.radius;
-        if (way_to(q, ball.center) > near * near * (1 + 1e-9)) continue;
+        if (point_way(q, ball.center) > near * near * (1 + 1e-9)) continue;
         cast_result r = q->ask(q, facet, NULL, scratch);
         if (!r.hits || !(r.fraction < best->fraction)) continue;
-        take(best, &r, inside_owner(w, b));
+        take_hit(best, &r, inside_owner(w, b));
         real least = HUGE_VAL;
         for (int i = 0; i < n; i++) {
             real far = vec3_distance(at[i], r.point);
@@ -216,9 +216,9 @@ static void ask_body(const tumble_world *w, const body_place *x,
     else for (int k = 0; k < x->pieces && best->fraction > 0; k++) {
         int b = x->piece[k].number;
         if (!may_be_met(w, b, q)) continue;
-        cast_result r = q->ask(q, body_hull(w, b, w->scratch), NULL,
+        cast_result r = q->ask(q, rounded_body(w, b, w->scratch), NULL,
                                w->scratch + w->most_vertices);
-        take(best, &r, inside_owner(w, b));
+        take_hit(best, &r, inside_owner(w, b));
     }
 }
 
@@ -233,7 +233,7 @@ static void ask_place(const tumble_world *w, int k, const question *q,
     if (wall < 0 || !world_has_plane(&w->world, wall) || q->of_soft) return;
     cast_result r = q->ask(q, q->thing, &w->world.plane[wall],
                            w->scratch + w->most_vertices);
-    take(best, &r, tumble_body_ground());
+    take_hit(best, &r, tumble_body_ground());
 }
 
 // So many places there are to be asked; 0: of what is not finite, nothing.
@@ -300,8 +300,8 @@ bool tumble_world_nearest_soft(const tumble_world *w, tumble_vec3 x,
 }
 
 // The vertices of a shape that stands there, in the world's third room.
-static bool stand(const tumble_world *w, tumble_shape s, tumble_pose pose,
-                  question *q)
+static bool stand_shape(const tumble_world *w, tumble_shape s, tumble_pose pose,
+                        question *q)
 {
     if (!w) return false;
     const shape_place *x = slots_find(&w->shapes, s.place, s.generation);
@@ -312,7 +312,7 @@ static bool stand(const tumble_world *w, tumble_shape s, tumble_pose pose,
     for (int k = 0; k < x->shape->particles; k++)
         at[k] = vec3_add(p.position, placement_vector(&p, x->shape->at[k]));
     q->thing = rounded_shape(x->shape, at);
-    q->around = ball_around(q->thing);
+    q->around = ball_of_rounded(q->thing);
     return true;
 }
 
@@ -323,7 +323,7 @@ bool tumble_world_sweep_turning(const tumble_world *w, tumble_shape s,
 {
     question q = { .way = from_user(way), .mask = mask, .ask = ask_way,
                    .turn = from_user(turn), .most = 1 };
-    if (!stand(w, s, pose, &q) || !vec3_is_finite(q.turn)) return false;
+    if (!stand_shape(w, s, pose, &q) || !vec3_is_finite(q.turn)) return false;
     vec3 center = from_user(pose.position);
     q.around.radius += vec3_distance(q.around.center, center);
     q.around.center = center;
@@ -341,7 +341,7 @@ bool tumble_world_sweep(const tumble_world *w, tumble_shape s, tumble_pose pose,
 //> face-ask-all
 //>   All that a ray meets are asked one by one, and put where they belong among the
 //>   nearest.
-static void put(tumble_hit *out, int most, int n, const tumble_hit *hit)
+static void put_hit(tumble_hit *out, int most, int n, const tumble_hit *hit)
 {
     int k = n < most ? n : most;
     if (!out || most <= 0) return;
@@ -361,7 +361,7 @@ int tumble_world_ray_all(const tumble_world *w, tumble_vec3 from,
     for (int k = 0; k < askable(w, &q); k++) {
         tumble_hit best = { .fraction = HUGE_VAL };
         ask_place(w, k, &q, &best);
-        if (best.fraction <= 1) put(out, most, n++, &best);
+        if (best.fraction <= 1) put_hit(out, most, n++, &best);
     }
     return n;
 }
@@ -380,7 +380,7 @@ int tumble_world_overlap(const tumble_world *w, tumble_shape s,
 {
     question q = { .mask = mask, .ask = ask_overlap, .most = 1 };
     int n = 0;
-    if (!stand(w, s, pose, &q)) return 0;
+    if (!stand_shape(w, s, pose, &q)) return 0;
     for (int k = 0; k < w->bodies.count; k++) {
         const body_place *x = slots_at(&w->bodies, k);
         if (!x || !overlaps(w, x, &q)) continue;
@@ -400,7 +400,7 @@ static bool soft_overlaps(const world *w, const body *x, const question *q)
         vec3 p = w->pool.at[i].position;
         rounded ball = { { &p, 1 }, x->thickness, 0 };
         real near = q->around.radius + x->thickness;
-        if (!(way_to(q, p) > near * near) && cast_overlaps(q->thing, ball))
+        if (!(point_way(q, p) > near * near) && cast_overlaps(q->thing, ball))
             return true;
     }
     return false;
@@ -422,8 +422,8 @@ static bool some_piece_senses(const tumble_world *w, const body_place *sensor,
     vec3 *at = w->scratch + 3 * w->most_vertices;
     for (int k = 0; k < sensor->pieces; k++) {
         question q = { .mask = sensor->mask, .ask = ask_overlap, .most = 1 };
-        q.thing = body_hull(w, sensor->piece[k].number, at);
-        q.around = ball_around(q.thing);
+        q.thing = rounded_body(w, sensor->piece[k].number, at);
+        q.around = ball_of_rounded(q.thing);
         if (is_sensed(w, sensor, x, &q)) return true;
     }
     return false;

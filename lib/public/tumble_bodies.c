@@ -72,7 +72,7 @@ static bool add_piece(tumble_world *w, int place, tumble_shape s,
     return set_up(w, number, o);
 }
 
-static bool check_options(tumble_world *w, const tumble_body_options *o)
+static bool check_body_options(tumble_world *w, const tumble_body_options *o)
 {
     if (!inside_is_world(w) || !inside_is_group(w, o->group)) return false;
     if ((unsigned)o->kind > TUMBLE_KINEMATIC)
@@ -163,9 +163,9 @@ static bool add_own_piece(tumble_world *w, int place, tumble_shape s,
 }
 
 // whole: what the pieces weigh together, if they move as one; or NULL.
-static tumble_body add(tumble_world *w, const tumble_shape *s,
-                       const tumble_pose *pose, int n, struct weight *whole,
-                       const tumble_body_options *o)
+static tumble_body add_body_of(tumble_world *w, const tumble_shape *s,
+                               const tumble_pose *pose, int n, struct weight *whole,
+                               const tumble_body_options *o)
 {
     const tumble_body none = { 0, 0 };
     int place = take_body_place(w, n, o);
@@ -184,8 +184,8 @@ static tumble_body add(tumble_world *w, const tumble_shape *s,
 tumble_body tumble_body_add(tumble_world *w, tumble_shape s,
                             tumble_body_options o)
 {
-    if (!check_options(w, &o)) return (tumble_body){ 0, 0 };
-    return add(w, &s, &o.pose, 1, NULL, &o);
+    if (!check_body_options(w, &o)) return (tumble_body){ 0, 0 };
+    return add_body_of(w, &s, &o.pose, 1, NULL, &o);
 }
 
 static bool are_pieces(tumble_world *w, const tumble_shape *piece,
@@ -200,9 +200,9 @@ tumble_body tumble_body_add_pieces(tumble_world *w, const tumble_shape *piece,
                                    tumble_body_options o)
 {
     o.kind = TUMBLE_STATIC;
-    if (!are_pieces(w, piece, pose, n) || !check_options(w, &o))
+    if (!are_pieces(w, piece, pose, n) || !check_body_options(w, &o))
         return (tumble_body){ 0, 0 };
-    return add(w, piece, pose, n, NULL, &o);
+    return add_body_of(w, piece, pose, n, NULL, &o);
 }
 
 tumble_body tumble_body_add_compound(tumble_world *w, const tumble_shape *piece,
@@ -211,11 +211,11 @@ tumble_body tumble_body_add_compound(tumble_world *w, const tumble_shape *piece,
 {
     const tumble_body none = { 0, 0 };
     struct weight whole;
-    if (!check_options(w, &o) || !are_pieces(w, piece, pose, n)) return none;
+    if (!check_body_options(w, &o) || !are_pieces(w, piece, pose, n)) return none;
     if (o.kind != TUMBLE_DYNAMIC)
         return inside_fail(w, "a body whose pieces move as one is dynamic"), none;
     if (!weigh_pieces(w, piece, pose, n, &whole)) return none;
-    return add(w, piece, pose, n, &whole, &o);
+    return add_body_of(w, piece, pose, n, &whole, &o);
 }
 
 bool tumble_body_remove(tumble_world *w, tumble_body b)

@@ -41,8 +41,8 @@ static tumble_joint enter(tumble_world *w, joint_plan plan)
     return joint_in(w, k);
 }
 
-static tumble_joint join(tumble_world *w, tumble_body a, tumble_body b,
-                         joint_plan plan)
+static tumble_joint join_bodies(tumble_world *w, tumble_body a, tumble_body b,
+                                joint_plan plan)
 {
     const tumble_joint none = { 0, 0 };
     if (!find_side(w, a, &plan.a) || !find_side(w, b, &plan.b)) return none;
@@ -54,41 +54,41 @@ static tumble_joint join(tumble_world *w, tumble_body a, tumble_body b,
 tumble_joint tumble_joint_ball(tumble_world *w, tumble_body a, tumble_body b,
                                tumble_vec3 at)
 {
-    return join(w, a, b, (joint_plan){ .kind = JOINT_BALL,
-                                       .point = from_user(at) });
+    return join_bodies(w, a, b, (joint_plan){ .kind = JOINT_BALL,
+                                              .point = from_user(at) });
 }
 
 tumble_joint tumble_joint_hinge(tumble_world *w, tumble_body a, tumble_body b,
                                 tumble_vec3 at, tumble_vec3 axis)
 {
-    return join(w, a, b, (joint_plan){ .kind = JOINT_HINGE,
-                                       .point = from_user(at),
-                                       .axis = from_user(axis) });
+    return join_bodies(w, a, b, (joint_plan){ .kind = JOINT_HINGE,
+                                              .point = from_user(at),
+                                              .axis = from_user(axis) });
 }
 
 tumble_joint tumble_joint_fixed(tumble_world *w, tumble_body a, tumble_body b,
                                 tumble_vec3 at)
 {
-    return join(w, a, b, (joint_plan){ .kind = JOINT_FIXED,
-                                       .point = from_user(at) });
+    return join_bodies(w, a, b, (joint_plan){ .kind = JOINT_FIXED,
+                                              .point = from_user(at) });
 }
 
 tumble_joint tumble_joint_slider(tumble_world *w, tumble_body a, tumble_body b,
                                  tumble_vec3 at, tumble_vec3 axis)
 {
-    return join(w, a, b, (joint_plan){ .kind = JOINT_SLIDER,
-                                       .point = from_user(at),
-                                       .axis = from_user(axis) });
+    return join_bodies(w, a, b, (joint_plan){ .kind = JOINT_SLIDER,
+                                              .point = from_user(at),
+                                              .axis = from_user(axis) });
 }
 
 tumble_joint tumble_joint_distance(tumble_world *w, tumble_body a,
                                    tumble_vec3 at_a, tumble_body b,
                                    tumble_vec3 at_b, double least, double most)
 {
-    return join(w, a, b, (joint_plan){ .kind = JOINT_DISTANCE,
-                                       .point = from_user(at_a),
-                                       .point_b = from_user(at_b),
-                                       .least = least, .most = most });
+    return join_bodies(w, a, b, (joint_plan){ .kind = JOINT_DISTANCE,
+                                              .point = from_user(at_a),
+                                              .point_b = from_user(at_b),
+                                              .least = least, .most = most });
 }
 
 tumble_joint tumble_joint_hang(tumble_world *w, tumble_body soft, int i,
@@ -212,14 +212,14 @@ bool tumble_joint_set_strength(tumble_world *w, tumble_joint j, double force)
 //> face-joint-look
 //>   A joint can be asked for its force and its gap, and where it is along its free
 //>   way, how fast, and what drives it there.
-static const int *look(const tumble_world *w, tumble_joint j)
+static const int *joint_entry(const tumble_world *w, tumble_joint j)
 {
     return w ? slots_find(&w->joints, j.place, j.generation) : NULL;
 }
 
 bool tumble_joint_exists(const tumble_world *w, tumble_joint j)
 {
-    return look(w, j) != NULL;
+    return joint_entry(w, j) != NULL;
 }
 
 int tumble_world_joints(const tumble_world *w, tumble_joint *out, int most)
@@ -235,7 +235,7 @@ int tumble_world_joints(const tumble_world *w, tumble_joint *out, int most)
 
 tumble_body tumble_joint_body(const tumble_world *w, tumble_joint j, int side)
 {
-    const int *x = look(w, j);
+    const int *x = joint_entry(w, j);
     if (!x || side < 0 || side > 1) return (tumble_body){ 0, 0 };
     const joint *held = &w->world.joints.joint[*x];
     return inside_owner(w, side == 0 ? held->a : held->b);
@@ -243,49 +243,49 @@ tumble_body tumble_joint_body(const tumble_world *w, tumble_joint j, int side)
 
 double tumble_joint_force(const tumble_world *w, tumble_joint j)
 {
-    const int *x = look(w, j);
+    const int *x = joint_entry(w, j);
     return x ? w->world.joints.joint[*x].force : 0;
 }
 
 double tumble_joint_gap(const tumble_world *w, tumble_joint j)
 {
-    const int *x = look(w, j);
+    const int *x = joint_entry(w, j);
     return x ? world_joint_gap(&w->world, *x) : 0;
 }
 
 double tumble_joint_place(const tumble_world *w, tumble_joint j)
 {
-    const int *x = look(w, j);
+    const int *x = joint_entry(w, j);
     return x ? world_joint_place(&w->world, *x) : 0;
 }
 
 double tumble_joint_speed(const tumble_world *w, tumble_joint j)
 {
-    const int *x = look(w, j);
+    const int *x = joint_entry(w, j);
     return x ? world_joint_speed(&w->world, *x) : 0;
 }
 
 double tumble_joint_swing(const tumble_world *w, tumble_joint j)
 {
-    const int *x = look(w, j);
+    const int *x = joint_entry(w, j);
     return x ? world_joint_swing(&w->world, *x) : 0;
 }
 
 double tumble_joint_twist(const tumble_world *w, tumble_joint j)
 {
-    const int *x = look(w, j);
+    const int *x = joint_entry(w, j);
     return x ? world_joint_twist(&w->world, *x) : 0;
 }
 
 double tumble_joint_drive(const tumble_world *w, tumble_joint j)
 {
-    const int *x = look(w, j);
+    const int *x = joint_entry(w, j);
     return x ? world_joint_drive(&w->world, *x) : 0;
 }
 
 bool tumble_joint_may_touch(const tumble_world *w, tumble_joint j)
 {
-    const int *x = look(w, j);
+    const int *x = joint_entry(w, j);
     return x && w->world.joints.joint[*x].may_touch;
 }
 

@@ -99,7 +99,7 @@ static presence presence_of(const world *w, int b)
     return it;
 }
 
-static bool is_within(vec3 x, real radius, sphere ball)
+static bool is_in_ball(vec3 x, real radius, sphere ball)
 {
     real room = ball.radius - radius;
     return room >= 0 && vec3_distance(x, ball.center) <= room;
@@ -132,7 +132,7 @@ static real surround_prism(void *context, int triangle)
 }
 
 // The place of body b among those that were seen; if it is not, where it belongs.
-static int find_seen(const body_mesh *m, int b)
+static int find_seen_body(const body_mesh *m, int b)
 {
     int low = 0, high = m->seens;
     while (low < high) {
@@ -146,7 +146,7 @@ static int find_seen(const body_mesh *m, int b)
 // NULL, with a failure, if memory is refused.
 static sphere *seen_of(tumble_world *w, body_mesh *m, int b)
 {
-    int k = find_seen(m, b);
+    int k = find_seen_body(m, b);
     if (k < m->seens && m->seen[k].body == b) return &m->seen[k].ball;
     if (m->seens == m->seen_room) {
         int room = 2 * m->seen_room + 16;
@@ -172,7 +172,7 @@ static bool is_awaited(const world *w, int b, int piece)
 // What flies further than its own size is surrounded along its way, and each
 // time again.
 // Prisms are placed that far around a body, for the next frames.
-static const real WIDER = 1.2;              // tuned, radii
+static const real LOOKS_WIDER = 1.2;              // tuned, radii
 
 static void surround_body(surrounding *s, const presence *it)
 {
@@ -184,8 +184,8 @@ static void surround_body(surrounding *s, const presence *it)
     if (!aabbs_meet(&m->surface.prisms.node[1], &it->reach)
         || !is_awaited(&s->w->world, it->body, x->piece[0].number)) return;
     sphere *seen = seen_of(s->w, m, it->body);
-    if (!seen || is_within(it->ball.center, radius + reach, *seen)) return;
-    radius = WIDER * radius + 2 * (is_fast ? it->beside : reach);
+    if (!seen || is_in_ball(it->ball.center, radius + reach, *seen)) return;
+    radius = LOOKS_WIDER * radius + 2 * (is_fast ? it->beside : reach);
     aabb at = { it->ball.center, it->ball.center };
     surface_query q = { .thing = aabb_wider(at, radius), .most = 1,
                         .meets = surround_prism, .context = s };
@@ -240,13 +240,13 @@ static void clear(surrounding *s)
 }
 
 // Some bodies at once are asked of each surface: where they are is found once.
-enum { AT_ONCE = 64 };
+enum { FACES_AT_ONCE = 64 };
 
 static void surround_some(surrounding *s, int first)
 {
     const rigid_tables *t = &s->w->world.rigid;
-    presence it[AT_ONCE];
-    int n = int_min(t->awakes - first, AT_ONCE);
+    presence it[FACES_AT_ONCE];
+    int n = int_min(t->awakes - first, FACES_AT_ONCE);
     for (int k = 0; k < n; k++)
         it[k] = presence_of(&s->w->world, t->awake[first + k]);
     for (int m = s->w->first_mesh; m > 0; m = inside_next_mesh(s->w, m)) {
@@ -259,7 +259,7 @@ static bool surround(void *surroundings)
 {
     tumble_world *w = surroundings;
     surrounding s = { w, 0, false, false };
-    for (int k = 0; k < w->world.rigid.awakes; k += AT_ONCE)
+    for (int k = 0; k < w->world.rigid.awakes; k += FACES_AT_ONCE)
         surround_some(&s, k);
     for (int m = w->first_mesh; m > 0; m = inside_next_mesh(w, m)) {
         s.place = m - 1;
@@ -279,11 +279,11 @@ typedef struct {
     int  triangle;          // through which it goes in first
     plane side, side_below;
     bool is_inside;
-} passage;
+} face_passage;
 
 static real enter_prism(void *context, int triangle)
 {
-    passage *p = context;
+    face_passage *p = context;
     plane side;
     real share = surface_entry(p->surface, triangle, p->from, p->to);
     if (share < p->first || (share == p->first && triangle < p->triangle)) {
@@ -303,7 +303,7 @@ static real enter_prism(void *context, int triangle)
 static bool enters(void *surroundings, int b, vec3 from, vec3 to, plane *side)
 {
     const tumble_world *w = surroundings;
-    passage p = { .from = from, .to = to, .first = HUGE_VAL,
+    face_passage p = { .from = from, .to = to, .first = HUGE_VAL,
                   .below = HUGE_VAL };
     for (int k = w->first_mesh; k > 0; k = inside_next_mesh(w, k)) {
         const body_place *x = slots_at(&w->bodies, k - 1);
@@ -331,7 +331,8 @@ void inside_watch_meshes(tumble_world *w)
 //> face-mesh
 //>   A surface is a body with one piece, and then more.
 // What goes to the body, if there is one: *m.  All of it goes back if not.
-static tumble_body add(tumble_world *w, body_mesh *m, tumble_body_options o)
+static tumble_body add_body_mesh(tumble_world *w, body_mesh *m,
+                                 tumble_body_options o)
 {
     shape made;
     vec3 center;
@@ -391,7 +392,7 @@ static tumble_body add_surface(tumble_world *w, vec3 *point, int points,
     }
     free(point);
     free(triangle);
-    if (inside_is_ok(w, done)) return add(w, m, o);
+    if (inside_is_ok(w, done)) return add_body_mesh(w, m, o);
     inside_free_mesh(m);
     return (tumble_body){ 0, 0 };
 }

@@ -22,7 +22,7 @@ static void slots_store(slots *x, store *s)
 }
 
 // Places that are free have an address of something that is gone.
-static void shapes_store(tumble_world *w, store *s)
+static void shape_places_store(tumble_world *w, store *s)
 {
     slots_store(&w->shapes, s);
     store_enter(s);
@@ -61,7 +61,7 @@ static void mesh_store(body_place *x, store *s)
     store_leave(s);
 }
 
-static void bodies_store(tumble_world *w, store *s)
+static void body_places_store(tumble_world *w, store *s)
 {
     slots_store(&w->bodies, s);
     store_enter(s);
@@ -84,8 +84,8 @@ static void all_store(tumble_world *w, store *s)
 {
     store_memory(s, w, sizeof *w);
     store_enter(s);
-    shapes_store(w, s);
-    bodies_store(w, s);
+    shape_places_store(w, s);
+    body_places_store(w, s);
     slots_store(&w->joints, s);
     slots_store(&w->planes, s);
     STORE_TABLE(s, w->owner, w->world.bodies, w->owners);

@@ -4,11 +4,11 @@
 #include "handle.h"
 #include "inside.h"
 
-static const tumble_vec3 NONE = { 0, 0, 0 };
+static const tumble_vec3 AT_REST = { 0, 0, 0 };
 
 bool tumble_body_set_kind(tumble_world *w, tumble_body b, tumble_kind kind)
 {
-    int number = inside_rigid(w, b, NONE, NONE);
+    int number = inside_rigid(w, b, AT_REST, AT_REST);
     if (number < 0) return false;
     if ((unsigned)kind > TUMBLE_KINEMATIC)
         return inside_fail(w, "%d is no kind of body", (int)kind);
@@ -27,7 +27,7 @@ bool tumble_body_set_kind(tumble_world *w, tumble_body b, tumble_kind kind)
 //>   Gravity is a number of the body; velocities go on from what they are.
 bool tumble_body_set_gravity_scale(tumble_world *w, tumble_body b, double scale)
 {
-    int number = inside_rigid(w, b, NONE, NONE);
+    int number = inside_rigid(w, b, AT_REST, AT_REST);
     return number >= 0
         && inside_is_ok(w, world_set_gravity_scale(&w->world, number, scale));
 }
@@ -44,7 +44,7 @@ double tumble_body_gravity_scale(const tumble_world *w, tumble_body b)
 //>   stands for.
 bool tumble_body_set_locked(tumble_world *w, tumble_body b, unsigned axes)
 {
-    int number = inside_rigid(w, b, NONE, NONE);
+    int number = inside_rigid(w, b, AT_REST, AT_REST);
     if (number < 0) return false;
     body_place *x = inside_body(w, b);
     if (axes >= 2 * TUMBLE_LOCK_TURN_Z)

@@ -38,7 +38,7 @@ tumble_options tumble_options_default(void)
     return options_to(&o);
 }
 
-static world_options options_of(const tumble_options *o)
+static world_options world_options_of(const tumble_options *o)
 {
     world_options how = world_options_default();
     if (!o) return how;
@@ -60,7 +60,7 @@ tumble_world *tumble_world_make(const tumble_options *options)
     tumble_world *w = calloc(1, sizeof *w);
     unmade = status_ok();
     bool is_there = w && inside_reserve(w, 1);
-    unmade = is_there ? world_init(&w->world, options_of(options))
+    unmade = is_there ? world_init(&w->world, world_options_of(options))
                       : status_out_of_memory();
     if (!unmade.ok) {
         if (w) free(w->scratch);

@@ -14,7 +14,7 @@ static vec3 unit(vec3 v)
 }
 
 // The largest distance (m) of a point of it from its first one.
-static real size_of(rounded r)
+static real rounded_size(rounded r)
 {
     real most = 0;
     for (int k = 1; k < r.core.count; k++) {
@@ -139,7 +139,7 @@ cast_result cast_first(rounded a, vec3 way, rounded b, vec3 *scratch)
 {
     if (b.rim > 0 && is_point(a)) return ray_cylinder(a.core.at[0], way, b);
     real apart = a.round + b.round;
-    real fine = 1e-12 * (vec3_length(way) + size_of(a) + size_of(b));
+    real fine = 1e-12 * (vec3_length(way) + rounded_size(a) + rounded_size(b));
     swept_result s = { .status = SWEPT_NOT_FINITE };
     if (fine > 0)
         s = swept_first_touch(a.core, way, b.core, apart, fine, scratch);

@@ -822,8 +822,8 @@ static int choose(const meetings *m, const touch *nearest, real slack,
 
 //> manifold-find
 // What is kept of the corners that were met, beside the pair.
-static int keep(meetings *m, const touch *pair, const view *w, real turn,
-                touch out[MANIFOLD_POINTS])
+static int keep_points(meetings *m, const touch *pair, const view *w, real turn,
+                       touch out[MANIFOLD_POINTS])
 {
     if (m->count <= MANIFOLD_POINTS) begin_with_lowest(m);
     out[0] = *pair;
@@ -853,7 +853,7 @@ static manifold find_between(const collider *a, const collider *b,
     m.count = 0;
     if (p.count == 2 && q.count == 2) meet_edges(&p, &q, &m);
     else                              meet_polygons(&p, &q, &w, &m);
-    found.count = keep(&m, pair, &w, turn, found.point);
+    found.count = keep_points(&m, pair, &w, turn, found.point);
     return found;
 }
 
@@ -942,7 +942,7 @@ static manifold find_on_plane(const collider *a, vec3 normal, real offset,
     m.same = 64 * w.slack;
     m.count = 0;
     meet_plane(&p, pair.gap, &m);
-    found.count = keep(&m, &pair, &w, turn, found.point);
+    found.count = keep_points(&m, &pair, &w, turn, found.point);
     return found;
 }
 

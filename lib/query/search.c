@@ -74,7 +74,7 @@ static void part_of_triangle(part *p, const corner *c, int i, int j, int k)
 //>   overlap.
 // A tetrahedron is thin where its volume, or the share of a corner in the point
 // inside, is less than this part of what it could be.
-static const real THIN = 1e-6;
+static const real THIN_SIMPLEX = 1e-6;
 
 // The face opposite to corner k, its newest corner last.
 static const int FACE[4][3] = { { 1, 2, 3 }, { 2, 0, 3 }, { 0, 1, 3 },
@@ -109,8 +109,9 @@ static void part_of_tetrahedron(part *p, const corner *c, const int of[4])
     w[3] = 1 - w[0] - w[1] - w[2];
     if (nearest_face(p, c, of, w)) return;
     real least = real_min(real_min(w[0], w[1]), real_min(w[2], w[3]));
-    p->is_thin = !(least > THIN) || !(volume * volume > THIN * THIN
-        * vec3_dot(e[0], e[0]) * vec3_dot(e[1], e[1]) * vec3_dot(e[2], e[2]));
+    p->is_thin = !(least > THIN_SIMPLEX)
+              || !(volume * volume > THIN_SIMPLEX * THIN_SIMPLEX
+                * vec3_dot(e[0], e[0]) * vec3_dot(e[1], e[1]) * vec3_dot(e[2], e[2]));
     p->count = 4;
     p->v = ORIGIN;
     for (int k = 0; k < 4; k++) p->of[k] = of[k], p->weight[k] = w[k];
@@ -136,7 +137,7 @@ typedef struct {
     real   vv, bound;   // m^2, |v|^2 and the least v . w
 } search;
 
-static void begin(search *s, const hull_mesh *a, const hull_mesh *b)
+static void begin_search(search *s, const hull_mesh *a, const hull_mesh *b)
 {
     s->a = a, s->b = b;
     s->now = &s->parts[0], s->next = &s->parts[1];
@@ -174,7 +175,7 @@ static void surest(const search *s, vec3 v, corner *w)
 }
 
 // The mean of some vertices.
-static vec3 middle(hull h)
+static vec3 mean_of_some(hull h)
 {
     vec3 sum = ORIGIN;
     int step = 1 + h.count / 16, n = 0;
@@ -184,7 +185,7 @@ static vec3 middle(hull h)
 
 static vec3 between_middles(const search *s)
 {
-    return vec3_sub(middle(s->a->hull), middle(s->b->hull));
+    return vec3_sub(mean_of_some(s->a->hull), mean_of_some(s->b->hull));
 }
 //<
 
@@ -261,7 +262,7 @@ static ending run(search *s, real margin)
 //>   body is asked for what it has furthest towards the other: a small one for
 //>   two vertices, which takes one scan, as for one. They make a triangle of
 //>   corners, mostly near the answer.
-static void add(search *s, int i, int j)
+static void add_vertex(search *s, int i, int j)
 {
     part *p = s->now;
     set(s, &s->at[p->count], i, j);
@@ -293,20 +294,20 @@ static void start_cold(search *s)
     if (hull_climbs(s->a) || hull_climbs(s->b)) {
         corner w;
         surest(s, d, &w);
-        add(s, w.a, w.b);
+        add_vertex(s, w.a, w.b);
         return;
     }
     scan_two(s->a->hull, vec3_scale(-1, d), i);
     scan_two(s->b->hull, d, j);
-    if (i[1] != i[0]) add(s, i[1], j[0]);
-    if (j[1] != j[0]) add(s, i[0], j[1]);
-    add(s, i[0], j[0]);
+    if (i[1] != i[0]) add_vertex(s, i[1], j[0]);
+    if (j[1] != j[0]) add_vertex(s, i[0], j[1]);
+    add_vertex(s, i[0], j[0]);
 }
 
 static void start(search *s, const simplex *from)
 {
     for (int k = 0; from && k < from->count; k++)
-        add(s, from->of[k].a, from->of[k].b);
+        add_vertex(s, from->of[k].a, from->of[k].b);
     if (s->now->count == 0) start_cold(s);
 }
 //<
@@ -316,7 +317,7 @@ static void start(search *s, const simplex *from)
 //>   range, from the simplex of the quick search. So an answer is either proven
 //>   here or given by chapter 04.
 // What the search found: not where it is unsure.
-static gjk_result result_of(const search *s, ending end)
+static gjk_result search_result(const search *s, ending end)
 {
     gjk_result r;
     const part *p = s->now;
@@ -340,7 +341,7 @@ static gjk_result result_of(const search *s, ending end)
     return r;
 }
 
-static void carry(simplex *to, const search *s)
+static void carry_simplex(simplex *to, const search *s)
 {
     to->count = s->now->count;
     for (int k = 0; k < to->count; k++) to->of[k] = s->at[s->now->of[k]];
@@ -351,13 +352,13 @@ gjk_result search_nearest(const hull_mesh *a, const hull_mesh *b, real margin,
 {
     assert(a->hull.count >= 1 && b->hull.count >= 1 && margin >= 0);
     search s;
-    begin(&s, a, b);
+    begin_search(&s, a, b);
     start(&s, carried);
     ending end = run(&s, margin);
-    if (carried) carry(carried, &s);
-    if (end != UNSURE) return result_of(&s, end);
+    if (carried) carry_simplex(carried, &s);
+    if (end != UNSURE) return search_result(&s, end);
     simplex last;
-    carry(&last, &s);
+    carry_simplex(&last, &s);
     return gjk_search(a->hull, b->hull, margin, carried ? carried : &last);
 }
 //<
@@ -384,7 +385,7 @@ static real dent(const hull_mesh *b, vec3 d, int v)
 {
     const mesh *m = b->mesh;
     const vec3 *at = b->hull.at;
-    vec3 up = vec3_sub(at[v], middle(b->hull));
+    vec3 up = vec3_sub(at[v], mean_of_some(b->hull));
     real r = HUGE_VAL, far = vec3_length(at[v]) + b->size;
     int h = m->vertex_half[v], start = h;
     do {
@@ -445,7 +446,7 @@ bool search_apart(const hull_mesh *a, const hull_mesh *b, real margin,
 {
     assert(a->hull.count >= 1 && b->hull.count >= 1 && margin >= 0);
     search s;
-    begin(&s, a, b);
+    begin_search(&s, a, b);
     if (!(vec3_dot(carried->axis, carried->axis) > 0))
         *carried = (separating_axis){ between_middles(&s), -1, -1 };
     if (separates(a, b, margin, carried)) return true;
@@ -460,7 +461,7 @@ bool search_apart(const hull_mesh *a, const hull_mesh *b, real margin,
         return s.bound > margin * sqrt(s.vv);
     }
     simplex last;
-    carry(&last, &s);
+    carry_simplex(&last, &s);
     gjk_result g = gjk_search(a->hull, b->hull, margin, &last);
     if (vec3_dot(g.axis, g.axis) > 0)
         *carried = (separating_axis){ g.axis, w.a, w.b };

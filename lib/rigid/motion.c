@@ -197,15 +197,15 @@ static void shorten(turning *x)
     for (int t = 0; t < TURNS; t++) v[t] *= one;
 }
 
-static const real ALIKE = 1e-12;        // moments, to rounding
+static const real SAME_MOMENTS = 1e-12; // moments, to rounding
 
 // About its own axis k, as if the moment there were one over `inverse`: its angular
 // momentum stays, so its coordinates turn back.  The axes k, i, j are right-handed.
-static void turn_about(turning *x, int k, int i, int j, real inverse, real h)
+static void turn_plane(turning *x, int k, int i, int j, real inverse, real h)
 {
     real *v = x->turned, *l = x->angular;
     real by = h * inverse * l[k], w = x->w, a = v[i], b = l[i];
-    if (!(fabs(inverse) > ALIKE * x->inverse[k])) return;
+    if (!(fabs(inverse) > SAME_MOMENTS * x->inverse[k])) return;
     real t = by * half_share(by * by), twice = 2 * t / (1 + t * t);
     x->w -= t * v[k];
     v[k] += t * w;
@@ -250,9 +250,9 @@ static void turn_freely(turning *x, real h)
     real ball = x->inverse[m.ball];
     turn_ball(x, ball, h);
     real like = x->inverse[m.like] - ball, odd = x->inverse[m.odd] - ball;
-    turn_about(x, m.like, m.odd, m.ball, like, h / 2);
-    turn_about(x, m.odd, m.ball, m.like, odd, h);
-    turn_about(x, m.like, m.odd, m.ball, like, h / 2);
+    turn_plane(x, m.like, m.odd, m.ball, like, h / 2);
+    turn_plane(x, m.odd, m.ball, m.like, odd, h);
+    turn_plane(x, m.like, m.odd, m.ball, like, h / 2);
 }
 //<
 

@@ -16,7 +16,7 @@ typedef struct {
     real whole;
     vec3 first;
     real second[3][3];
-} moments;
+} rounding_moments;
 
 // a b^T + b a^T
 static void add_product(real m[3][3], real s, vec3 a, vec3 b)
@@ -27,7 +27,7 @@ static void add_product(real m[3][3], real s, vec3 a, vec3 b)
             m[i][j] += s * (x[i] * y[j] + y[i] * x[j]);
 }
 
-static void add_moments(moments *sum, real s, const moments *m)
+static void add_moments(rounding_moments *sum, real s, const rounding_moments *m)
 {
     sum->whole += s * m->whole;
     sum->first = vec3_add_scaled(sum->first, s, m->first);
@@ -35,7 +35,7 @@ static void add_moments(moments *sum, real s, const moments *m)
         for (int j = 0; j < 3; j++) sum->second[i][j] += s * m->second[i][j];
 }
 
-static void add_point(moments *sum, real s, vec3 x)
+static void add_point(rounding_moments *sum, real s, vec3 x)
 {
     sum->whole += s;
     sum->first = vec3_add_scaled(sum->first, s, x);
@@ -44,14 +44,15 @@ static void add_point(moments *sum, real s, vec3 x)
 
 // Adds all x = p + t u, 0 < t < r: p on a part of the core, u on a part of the
 // unit sphere, of k - 1 dimensions.  The volume there is t^(k - 1) dt dp du.
-static void add_parts(moments *sum, const moments *p, const moments *u, int k,
+static void add_parts(rounding_moments *sum, const rounding_moments *p,
+                      const rounding_moments *u, int k,
                       real r)
 {
     real power = 1;
     for (int i = 0; i < k; i++) power *= r;
     real t0 = power / k, t1 = power * r / (k + 1);
     real t2 = power * r * r / (k + 2);
-    moments m = { .whole = p->whole * u->whole * t0 };
+    rounding_moments m = { .whole = p->whole * u->whole * t0 };
     m.first = vec3_add_scaled(vec3_scale(u->whole * t0, p->first),
                               p->whole * t1, u->first);
     add_product(m.second, t1, p->first, u->first);
@@ -90,9 +91,9 @@ static arc arc_over(const shape *s, int h)
 
 // With t = axis x u, (u t^T + t u^T)' = 2 t t^T - 2 u u^T, and u u^T + t t^T
 // is the same all along.
-static moments moments_of_arc(const arc *a)
+static rounding_moments moments_of_arc(const arc *a)
 {
-    moments m = { .whole = a->angle, .first = a->chord };
+    rounding_moments m = { .whole = a->angle, .first = a->chord };
     vec3 t = vec3_cross(a->axis, a->from), end = vec3_cross(a->axis, a->to);
     add_product(m.second, a->angle / 4, a->from, a->from);
     add_product(m.second, a->angle / 4, t, t);
@@ -105,10 +106,10 @@ static moments moments_of_arc(const arc *a)
 // area is 2 pi less the angles of the faces there (Gauss and Bonnet), and the
 // integral of u a sum over its rim (Stokes).  Of u u^T the sum over all corners
 // is that of the sphere, and so each may be given its share of that.
-static moments moments_of_corner(const shape *s, int v)
+static rounding_moments moments_of_corner(const shape *s, int v)
 {
     const mesh *m = &s->mesh;
-    moments u = { .whole = 6.283185307179586 };
+    rounding_moments u = { .whole = 6.283185307179586 };
     int start = m->vertex_half[v], h = start;
     do {
         arc a = arc_over(s, h);
@@ -125,11 +126,11 @@ static moments moments_of_corner(const shape *s, int v)
 
 //> rounding-weight
 // With points of a segment and of a triangle that have its moments.
-static void add_slab(moments *sum, const shape *s, int face, real r)
+static void add_slab(rounding_moments *sum, const shape *s, int face, real r)
 {
     const int *v = &s->face[3 * face];
     vec3 n = triangle_normal(s->at[v[0]], s->at[v[1]], s->at[v[2]]);
-    moments p = { .whole = 0 }, u = { .whole = 0 };
+    rounding_moments p = { .whole = 0 }, u = { .whole = 0 };
     for (int k = 0; k < 3; k++)
         add_point(&p, vec3_length(n) / 6, vec3_scale(0.5,
                   vec3_add(s->at[v[k]], s->at[v[(k + 1) % 3]])));
@@ -137,22 +138,22 @@ static void add_slab(moments *sum, const shape *s, int face, real r)
     add_parts(sum, &p, &u, 1, r);
 }
 
-static void add_rod(moments *sum, const shape *s, int h, real r)
+static void add_rod(rounding_moments *sum, const shape *s, int h, real r)
 {
     vec3 a = s->at[s->mesh.half[h].origin], b = s->at[mesh_target(&s->mesh, h)];
     real length = vec3_distance(a, b);
     arc over = arc_over(s, h);
-    moments p = { .whole = 0 }, u = moments_of_arc(&over);
+    rounding_moments p = { .whole = 0 }, u = moments_of_arc(&over);
     add_point(&p, length / 6, a);
     add_point(&p, length / 6, b);
     add_point(&p, 4 * length / 6, vec3_scale(0.5, vec3_add(a, b)));
     add_parts(sum, &p, &u, 2, r);
 }
 
-static moments moments_around(const shape *s, real r)
+static rounding_moments moments_around(const shape *s, real r)
 {
     rigid_solid core = rigid4_solid(s);
-    moments sum = { .whole = 0 };
+    rounding_moments sum = { .whole = 0 };
     add_point(&sum, core.volume, core.center);
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
@@ -160,7 +161,7 @@ static moments moments_around(const shape *s, real r)
     for (int f = 0; f < s->mesh.faces; f++) add_slab(&sum, s, f, r);
     for (int e = 0; e < s->mesh.edges; e++) add_rod(&sum, s, 2 * e, r);
     for (int v = 0; v < s->particles; v++) {
-        moments p = { .whole = 0 }, u = moments_of_corner(s, v);
+        rounding_moments p = { .whole = 0 }, u = moments_of_corner(s, v);
         add_point(&p, 1, s->at[v]);
         add_parts(&sum, &p, &u, 3, r);
     }
@@ -240,7 +241,7 @@ static status span_round(shape *s, real r)
 
 //> rounding-make
 // Moves it, and everything that is told of it, to its centre of mass.
-static void take_weight(shape *s, const moments *m, real mass)
+static void take_weight(shape *s, const rounding_moments *m, real mass)
 {
     vec3 center = vec3_scale(1 / m->whole, m->first);
     for (int v = 0; v < s->particles; v++)
@@ -265,7 +266,7 @@ status shape_round(shape *s, const shape *of, real radius)
     if (!done.ok) return done;
     real mass = rigid4_mass(of), round = of->round + radius;
     s->own.mass = s->round = s->rim = 0;
-    moments m = moments_around(s, round);
+    rounding_moments m = moments_around(s, round);
     done = span_round(s, round);
     take_weight(s, &m, mass);
     s->round = round;

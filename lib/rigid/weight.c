@@ -132,7 +132,7 @@ status weight_give(shape *s, const shape *of, real mass, vec3 center,
 //>   Several pieces that are one body have one weight: the sum of their masses,
 //>   the mean of their centres, and their spreads about it (the parallel axes of
 //>   Huygens and Steiner).
-static real number_of(vec3 v, int i)
+static real axis_part(vec3 v, int i)
 {
     return i == 0 ? v.x : i == 1 ? v.y : v.z;
 }
@@ -146,15 +146,15 @@ static void add_turned(real to[3][3], real mass, real spread[3][3],
         for (int q = 0; q < 3; q++)
             for (int i = 0; i < 3; i++)
                 for (int j = 0; j < 3; j++)
-                    to[i][j] += mass * spread[p][q] * number_of(axis[p], i)
-                              * number_of(axis[q], j);
+                    to[i][j] += mass * spread[p][q] * axis_part(axis[p], i)
+                              * axis_part(axis[q], j);
 }
 
 static void add_square(real to[3][3], real mass, vec3 c)
 {
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
-            to[i][j] += mass * number_of(c, i) * number_of(c, j);
+            to[i][j] += mass * axis_part(c, i) * axis_part(c, j);
 }
 
 // About the origin of the body, as yet.

@@ -93,7 +93,7 @@ status shape_add_angle(shape *s, angle c)
 //> body-finish
 //>   At the end the shape is measured. If anything went wrong on the way, all
 //>   of it is freed.
-static void measure(shape *s)
+static void measure_shape(shape *s)
 {
     s->radius = 0;
     for (int i = 0; i < s->particles; i++)
@@ -118,7 +118,7 @@ status shape_finish(shape *s, status so_far)
 {
     if (so_far.ok) so_far = check_sticks(s);
     if (so_far.ok) {
-        measure(s);
+        measure_shape(s);
         so_far = check_quantity("radius", s->radius, "m");
     }
     if (!so_far.ok) shape_free(s);

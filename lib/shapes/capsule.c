@@ -5,11 +5,11 @@
 #include <assert.h>
 #include <stdlib.h>
 
-// Two half balls of QUARTER - 1 rings and a pole each, and between them the two
+// Two half balls of A_QUARTER - 1 rings and a pole each, and between them the two
 // ends of a cylinder, which are one ring if it has no length.
-enum { QUARTER = 5, SLICES = 4 * QUARTER };
+enum { A_QUARTER = 5, SLICES = 4 * A_QUARTER };
 
-// The cosine and the sine of the k-th part of a right angle, k = 0 to QUARTER,
+// The cosine and the sine of the k-th part of a right angle, k = 0 to A_QUARTER,
 // without a function that rounds in its own way: turned on by 18 degrees each.
 static void circle_point(int k, real *c, real *s)
 {
@@ -30,7 +30,7 @@ static void place_ring(vec3 *at, int k, int rings, real half, real radius)
     bool is_low = k < rings / 2 || (rings % 2 == 0 && k == rings / 2 - 1);
     int from_pole = is_low ? k + 1 : rings - k;
     real out, up, c, s;
-    circle_point(QUARTER - from_pole, &out, &up);
+    circle_point(A_QUARTER - from_pole, &out, &up);
     for (int i = 0; i < SLICES; i++) {
         circle_point(i, &c, &s);
         real y = half + radius * up;
@@ -63,7 +63,7 @@ static void span_skin(int *face, int rings)
 
 static status make_skin(struct skin *k, real half, real radius)
 {
-    int rings = 2 * QUARTER - (half > 0 ? 0 : 1);
+    int rings = 2 * A_QUARTER - (half > 0 ? 0 : 1);
     k->points = rings * SLICES + 2;
     k->faces = 2 * rings * SLICES;
     k->at = malloc((size_t)k->points * sizeof *k->at);

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 
 // As a fraction of the size of a mesh, what counts as zero.
-static const real ROUNDING = 1e-9;
+static const real FLATNESS = 1e-9;
 
 // A closed surface of sphere type, every vertex in use.
 static status check_sphere_type(const mesh *m)
@@ -47,7 +47,7 @@ static status check_apart(const mesh *m, const vec3 *at, real size)
 {
     for (int v = 0; v < m->vertices; v++)
         for (int w = v + 1; w < m->vertices; w++)
-            if (vec3_distance(at[v], at[w]) <= ROUNDING * size)
+            if (vec3_distance(at[v], at[w]) <= FLATNESS * size)
                 return status_fail("vertex %d and vertex %d stand in the same "
                                    "place", v, w);
     return status_ok();
@@ -65,14 +65,14 @@ static vec3 face_normal(const mesh *m, const vec3 *at, int f, int v[3])
 
 // A triangle is flat if its height over its longest side, which is twice its
 // area / that side, is zero.
-static status check_triangle(const mesh *m, const vec3 *at, int f, real size)
+static status check_area(const mesh *m, const vec3 *at, int f, real size)
 {
     int v[3];
     real twice_area = vec3_length(face_normal(m, at, f, v));
     real longest = real_max(vec3_distance(at[v[1]], at[v[2]]),
                             real_max(vec3_distance(at[v[0]], at[v[1]]),
                                      vec3_distance(at[v[0]], at[v[2]])));
-    if (twice_area > ROUNDING * size * longest) return status_ok();
+    if (twice_area > FLATNESS * size * longest) return status_ok();
     return status_fail("triangle %d is flat: vertex %d, vertex %d and vertex "
                        "%d stand in one line", f, v[0], v[1], v[2]);
 }
@@ -83,17 +83,17 @@ static status check_face(const mesh *m, const vec3 *at, int f, real size)
     real highest = 0, lowest = 0;
     int v[3], top = 0;
     vec3 normal = vec3_unit(face_normal(m, at, f, v));
-    status s = check_triangle(m, at, f, size);
+    status s = check_area(m, at, f, size);
     for (int w = 0; w < m->vertices; w++) {
         real height = vec3_dot(normal, vec3_sub(at[w], at[v[0]]));
         if (height > highest) { highest = height; top = w; }
         lowest = real_min(lowest, height);
     }
-    if (s.ok && highest > ROUNDING * size)
+    if (s.ok && highest > FLATNESS * size)
         s = status_fail("vertex %d stands %.2g of the size outside the plane "
                         "of triangle %d: the mesh is not convex", top,
                         highest / size, f);
-    if (s.ok && lowest >= -ROUNDING * size)
+    if (s.ok && lowest >= -FLATNESS * size)
         s = status_fail("the mesh has no thickness: no vertex stands below the "
                         "plane of triangle %d", f);
     return s;
@@ -136,7 +136,7 @@ static void move_to_centre(shape *s)
 }
 
 // A stick between a and b, unless they are joined already.
-static void join(shape *s, int a, int b)
+static void join_sets(shape *s, int a, int b)
 {
     for (int k = 0; k < s->sticks; k++) {
         stick t = s->stick[k];
@@ -193,9 +193,9 @@ static void add_tetrahedra(shape *s)
     for (int v = 0; v < s->particles; v++)
         radius = real_max(radius, vec3_length(s->at[v]));
     shape_add_edges(s);
-    for (int v = 1; v < s->particles; v++) join(s, 0, v);
+    for (int v = 1; v < s->particles; v++) join_sets(s, 0, v);
     for (int v = 1; v < s->particles; v++)
-        if (is_flat_at(s, v, radius)) join(s, v, farthest_below(s, v));
+        if (is_flat_at(s, v, radius)) join_sets(s, v, farthest_below(s, v));
 }
 
 status shape_convex(shape *s, int vertices, const vec3 *at,

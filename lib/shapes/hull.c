@@ -7,7 +7,7 @@
 #include <stddef.h>
 #include <stdlib.h>
 
-enum { NONE = -1, INSIDE = -2, MOST_VERTICES = 16384 };
+enum { NONE = -1, COVERED = -2, HULL_VERTICES = 16384 };
 
 // A triangle of the hull so far.  Its corners run counter-clockwise, seen from
 // outside; beyond side k, from corner k to the next, lies facet beside[k].
@@ -32,7 +32,7 @@ typedef struct {
 
 typedef struct {
     vec3  *at;          // [points] m, from the first of them
-    int   *after;       // [points] the next in its facet's list; INSIDE: it
+    int   *after;       // [points] the next in its facet's list; COVERED: it
                         // is a corner, or outside of no facet
     int    points;
     real   size;        // m, their largest distance from the first
@@ -49,12 +49,12 @@ typedef struct {
     int    sides;
     int   *place;       // [points] the side of the rim that leaves a point;
                         // at the end, its number as a vertex of the shape
-} builder;
+} hull_builder;
 //<
 
 //> convex-hull-room
 //>   Memory is allocated once, in a block for each list.
-static void builder_free(builder *b)
+static void builder_free(hull_builder *b)
 {
     void *owned[] = { b->at, b->after, b->facet, b->spare, b->open, b->seen,
                       b->rim, b->place };
@@ -63,11 +63,11 @@ static void builder_free(builder *b)
 
 // A hull of v vertices has 2 v - 4 facets; while new ones are made, those that
 // they replace are there as well.
-static status builder_make(builder *b, const vec3 *at, int n)
+static status builder_make(hull_builder *b, const vec3 *at, int n)
 {
-    size_t points = (size_t)n, most = 4 * (size_t)MOST_VERTICES;
+    size_t points = (size_t)n, most = 4 * (size_t)HULL_VERTICES;
     size_t room = 4 * points < most ? 4 * points : most;
-    *b = (builder){ .points = n, .room = (int)room,
+    *b = (hull_builder){ .points = n, .room = (int)room,
         .at    = malloc(points * sizeof *b->at),
         .after = malloc(points * sizeof *b->after),
         .facet = malloc(room * sizeof *b->facet),
@@ -98,18 +98,18 @@ static status builder_make(builder *b, const vec3 *at, int n)
 typedef struct {
     int  best;
     real most, beside;  // m, m^2
-} search;
+} edge_search;
 
-static void consider(search *s, int i, real far, real beside, real near)
+static void consider(edge_search *s, int i, real far, real beside, real near)
 {
     if (!(far > s->most - near)) return;
     if (far > s->most + near || beside > s->beside)
-        *s = (search){ i, far, beside };
+        *s = (edge_search){ i, far, beside };
 }
 
 // m, from the first of the known points, from the line of two, from the plane
 // of three.
-static real distance_off(const builder *b, const int v[3], int known, vec3 x)
+static real distance_off(const hull_builder *b, const int v[3], int known, vec3 x)
 {
     vec3 from = b->at[v[0]], e = vec3_sub(x, from);
     if (known < 2) return vec3_length(e);
@@ -121,13 +121,13 @@ static real distance_off(const builder *b, const int v[3], int known, vec3 x)
 
 // Four points that span a tetrahedron, each as far from those before as can be;
 // v[0] is the one furthest from point 0.
-static status find_first(const builder *b, int v[4])
+static status find_first(const hull_builder *b, int v[4])
 {
     const real flat = 1e-6;     // of the size
     const char *in[] = { "place", "place", "line", "plane" };
     v[0] = 0;
     for (int known = 0; known < 4; known++) {
-        search s = { 0, 0, 0 };
+        edge_search s = { 0, 0, 0 };
         for (int i = 0; i < b->points; i++)
             consider(&s, i, distance_off(b, v, known, b->at[i]),
                      vec3_length_squared(vec3_sub(b->at[i], b->at[v[0]])),
@@ -149,7 +149,7 @@ static real height_over(const facet *f, vec3 x)
 }
 
 // A new facet; NONE if there is no room.
-static int add_facet(builder *b, int u, int v, int w)
+static int add_facet(hull_builder *b, int u, int v, int w)
 {
     if (b->spares == 0 && b->used == b->room) return NONE;
     int n = b->spares > 0 ? b->spare[--b->spares] : b->used++;
@@ -164,7 +164,7 @@ static int add_facet(builder *b, int u, int v, int w)
 }
 
 // Gives a point to facet n if it is outside of its plane.
-static bool give_point(builder *b, int i, int n)
+static bool give_point(hull_builder *b, int i, int n)
 {
     facet *f = &b->facet[n];
     if (!(height_over(f, b->at[i]) > b->near)) return false;
@@ -180,13 +180,13 @@ static bool give_point(builder *b, int i, int n)
 //>   With these the four points become four faces, joined side to side, and
 //>   take their points.
 // Side k of facet f is side j of facet g, the other way round.
-static void join(builder *b, int f, int k, int g, int j)
+static void join(hull_builder *b, int f, int k, int g, int j)
 {
     b->facet[f].beside[k] = g;
     b->facet[g].beside[j] = f;
 }
 
-static void begin_hull(builder *b, int v[4])
+static void begin_hull(hull_builder *b, int v[4])
 {
     vec3 a = b->at[v[0]], p = vec3_sub(b->at[v[1]], a);
     vec3 q = vec3_sub(b->at[v[2]], a), r = vec3_sub(b->at[v[3]], a);
@@ -204,7 +204,7 @@ static void begin_hull(builder *b, int v[4])
         join(b, 1 + k, 2, 1 + (k + 1) % 3, 1);
     }
     for (int i = 0; i < b->points; i++) {
-        b->after[i] = INSIDE;
+        b->after[i] = COVERED;
         for (int n = 0; n < 4; n++)
             if (give_point(b, i, n)) break;
     }
@@ -219,7 +219,7 @@ static const real SEES = 4e-16;
 
 // Facets that point x sees hang together: we go from one to the next.  What
 // ends the way is the rim.
-static void find_seen(builder *b, int n, vec3 x)
+static void find_seen(hull_builder *b, int n, vec3 x)
 {
     b->seens = b->sides = 0;
     b->seen[b->seens++] = n;
@@ -243,7 +243,7 @@ static void find_seen(builder *b, int n, vec3 x)
 
 // Once round the rim, from side to side, and there are no more, and the point
 // is not on it?  (Rounding may tear it, where facets are slivers.)
-static bool rim_is_ring(builder *b, int point)
+static bool rim_is_ring(hull_builder *b, int point)
 {
     int side = 0, steps = 0;
     for (int k = 0; k < b->sides; k++) b->place[b->rim[k].to] = NONE;
@@ -260,7 +260,7 @@ static bool rim_is_ring(builder *b, int point)
 
 //> convex-hull-cone
 // From every side of the rim a facet to the point.
-static bool add_cone(builder *b, int point)
+static bool add_cone(hull_builder *b, int point)
 {
     for (int k = 0; k < b->sides; k++) {
         rim_side *s = &b->rim[k];
@@ -277,13 +277,13 @@ static bool add_cone(builder *b, int point)
 
 // The points of the facets that go are given to the new ones; what is outside
 // of none is inside the hull.
-static void hand_over(builder *b, int point)
+static void hand_over(hull_builder *b, int point)
 {
     for (int i = 0; i < b->seens; i++) {
         facet *old = &b->facet[b->seen[i]];
         for (int p = old->first, next; p != NONE; p = next) {
             next = b->after[p];
-            b->after[p] = INSIDE;
+            b->after[p] = COVERED;
             for (int k = 0; k < b->sides && p != point; k++)
                 if (give_point(b, p, b->rim[k].made)) break;
         }
@@ -298,20 +298,20 @@ static void hand_over(builder *b, int point)
 // The furthest point outside of facet n is a corner of the hull.  Points of its
 // list alone would not do: of a side's points, those at the corners may be in
 // the lists of others.
-static int furthest_outside(const builder *b, int n)
+static int furthest_outside(const hull_builder *b, int n)
 {
     const facet *f = &b->facet[n];
     vec3 from = b->at[f->corner[0]];
-    search s = { f->first, 0, 0 };
+    edge_search s = { f->first, 0, 0 };
     for (int i = 0; i < b->points; i++)
-        if (b->after[i] != INSIDE)
+        if (b->after[i] != COVERED)
             consider(&s, i, height_over(f, b->at[i]),
                      vec3_length_squared(vec3_sub(b->at[i], from)), b->near);
     return s.best;
 }
 
 // Every round adds a point, or takes a facet from the list: it ends.
-static status add_points(builder *b)
+static status add_points(hull_builder *b)
 {
     while (b->opens > 0) {
         int n = b->open[--b->opens];
@@ -324,7 +324,7 @@ static status add_points(builder *b)
                                "hull cannot be told");
         if (!add_cone(b, point))
             return status_fail("the hull of the points has more than %d "
-                               "vertices", MOST_VERTICES);
+                               "vertices", HULL_VERTICES);
         hand_over(b, point);
     }
     return status_ok();
@@ -334,7 +334,7 @@ static status add_points(builder *b)
 //> convex-hull-slivers
 // Keeps the corners of facets, in the order of the points, and of them those
 // whose place is 0.
-static void keep_corners(builder *b)
+static void keep_corners(hull_builder *b)
 {
     int kept = 0;
     for (int i = 0; i < b->points; i++)
@@ -342,7 +342,7 @@ static void keep_corners(builder *b)
     b->points = kept;
 }
 
-static void mark_corners(builder *b)
+static void mark_corners(hull_builder *b)
 {
     for (int i = 0; i < b->points; i++) b->place[i] = NONE;
     for (int n = 0; n < b->used; n++)
@@ -352,7 +352,7 @@ static void mark_corners(builder *b)
 
 // The corner of facet n across from its longest side, if it is no further off
 // that side than thin (m); else NONE.
-static int sliver_tip(const builder *b, int n, real thin)
+static int sliver_tip(const hull_builder *b, int n, real thin)
 {
     const int *v = b->facet[n].corner;
     int tip = 0;
@@ -369,7 +369,7 @@ static int sliver_tip(const builder *b, int n, real thin)
 
 // Drops the tips of slivers, of each other's corners no more than one at a
 // time.  Returns whether there were any; then only corners are left.
-static bool drop_slivers(builder *b, real thin)
+static bool drop_slivers(hull_builder *b, real thin)
 {
     enum { DROPPED = -2, HELD = 1 };
     bool any = false;
@@ -415,7 +415,7 @@ static void move_to_solid_centre(shape *s)
 
 //> convex-hull-make
 // The corners of facets, numbered in the order of the points, and the facets.
-static int number_corners(builder *b, vec3 *at, int (*triangle)[3], int *faces)
+static int number_corners(hull_builder *b, vec3 *at, int (*triangle)[3], int *faces)
 {
     int vertices = 0;
     *faces = 0;
@@ -434,7 +434,7 @@ static int number_corners(builder *b, vec3 *at, int (*triangle)[3], int *faces)
     return vertices;
 }
 
-static status make_shape(builder *b, shape *s, real mass)
+static status make_shape(hull_builder *b, shape *s, real mass)
 {
     vec3 *at = malloc((size_t)b->points * sizeof *at);
     int (*triangle)[3] = malloc((size_t)b->used * sizeof *triangle), faces;
@@ -454,7 +454,7 @@ static status make_shape(builder *b, shape *s, real mass)
 // A finer tolerance than the hull's triangles bear leaves slivers, whose
 // planes rounding turns: then points that make them are dropped, and if that
 // does not do, the tolerances grow.
-static status build(builder *b, shape *s, real mass)
+static status build(hull_builder *b, shape *s, real mass)
 {
     status done = status_ok();
     real near = 1e-12, thin = 4e-9;     // of the size
@@ -477,7 +477,7 @@ static status build(builder *b, shape *s, real mass)
 status shape_hull(shape *s, const vec3 *at, int n, real mass)
 {
     assert(s && (at || n <= 0));
-    builder b;
+    hull_builder b;
     *s = (shape){ .kind = SHAPE_RIGID };
     if (n < 4 || n > 1 << 24)
         return status_fail("the number of points is %d: it must be from 4 to "

@@ -116,7 +116,7 @@ static status refuse_side(const mesh *m, int f, int h)
 }
 
 // Finds or makes the three half-edges of face f, and links them in a ring.
-static status add_face(mesh *m, fan_lists *fan, int f, const int v[3])
+static status store_face(mesh *m, fan_lists *fan, int f, const int v[3])
 {
     int h[3];
     status s = check_triangle(m, f, v);
@@ -174,7 +174,7 @@ enum {
 
 // Three edges a triangle are enough, and every edge has two half-edges.  One
 // element more than needed, because room for none may be NULL.
-static status reserve(mesh *m, fan_lists *fan)
+static status reserve_faces(mesh *m, fan_lists *fan)
 {
     size_t vertices = (size_t)m->vertices + 1, faces = (size_t)m->faces + 1;
     m->half        = malloc(6 * faces * sizeof *m->half);
@@ -201,9 +201,9 @@ status mesh_build(mesh *m, int vertices, const int (*triangle)[3], int faces)
     fan_lists fan;
     m->vertices = vertices;
     m->faces = faces;
-    status s = reserve(m, &fan);
+    status s = reserve_faces(m, &fan);
     for (int f = 0; f < faces && s.ok; f++)
-        s = add_face(m, &fan, f, triangle[f]);
+        s = store_face(m, &fan, f, triangle[f]);
     if (s.ok) {
         link_rims(m, &fan);
         s = check_fans(m, &fan);

@@ -31,7 +31,7 @@ typedef struct {
     int  place[MOST_OBJ_VERTICES];      // of a vertex, without the unused ones
 } obj_file;
 
-static status refuse(const obj_file *o, const char *what)
+static status refuse_line(const obj_file *o, const char *what)
 {
     return status_fail("%s, line %d: %s", o->name, o->line, what);
 }
@@ -42,7 +42,7 @@ static status refuse(const obj_file *o, const char *what)
 //>   and a zero byte is noticed.
 // A newline ends the line, unless the text ends in a backslash: then the next
 // line goes on with the same statement.  Comments are not in the text.
-static bool is_joined(obj_file *o, int *length)
+static bool is_continued(obj_file *o, int *length)
 {
     int last = *length - 1;
     if (last >= 0 && o->text[last] == '\r') last--;
@@ -62,13 +62,13 @@ static status next_line(obj_file *o, FILE *in, bool *more)
         if (++o->bytes > MOST_OBJ_BYTES)
             return status_fail("%s: the file is larger than 16 MB", o->name);
         if (c == 0)
-            return refuse(o, "the file is not text: here is a zero byte");
+            return refuse_line(o, "the file is not text: here is a zero byte");
         o->newlines += c == '\n';
-        if (c == '\n' && !is_joined(o, &length)) break;
+        if (c == '\n' && !is_continued(o, &length)) break;
         comment = c != '\n' && (comment || c == '#');
         if (comment || c == '\n') continue;
         if (length == MOST_OBJ_LINE - 1)
-            return refuse(o, "the line is longer than 65535 characters");
+            return refuse_line(o, "the line is longer than 65535 characters");
         o->text[length++] = (char)c;
     }
     if (ferror(in))
@@ -157,10 +157,10 @@ static status read_vertex(obj_file *o, const char *c)
 {
     real xyz[3];
     if (o->vertices == MOST_OBJ_VERTICES)
-        return refuse(o, "a file may have 4096 vertices at most");
+        return refuse_line(o, "a file may have 4096 vertices at most");
     for (int k = 0; k < 3; k++) {
         c = skip_space(c);
-        if (!*c) return refuse(o, "a vertex needs three numbers");
+        if (!*c) return refuse_line(o, "a vertex needs three numbers");
         const char *end = read_number(c, &xyz[k]);
         if (!end) return refuse_word(o, c, "a number");
         if (!(fabs(xyz[k]) <= 1e30))
@@ -205,7 +205,7 @@ static status read_face(obj_file *o, const char *c)
         if (corners == 0) first = corner;
         if (corners++ > 1) {
             if (o->triangles == MOST_OBJ_TRIANGLES)
-                return refuse(o, "a body may have 8192 triangles at most");
+                return refuse_line(o, "a body may have 8192 triangles at most");
             int *v = o->triangle[o->triangles];
             v[0] = first;
             v[1] = last;
@@ -214,7 +214,7 @@ static status read_face(obj_file *o, const char *c)
         }
         last = corner;
     }
-    return corners < 3 ? refuse(o, "a face needs three corners") : status_ok();
+    return corners < 3 ? refuse_line(o, "a face needs three corners") : status_ok();
 }
 //<
 

@@ -26,7 +26,7 @@ static int cells_in(cell_range r)
     return (r.right - r.left) * (r.bottom - r.top);
 }
 
-static cell_part whole_of(const frame_look *l, int b)
+static cell_part whole_soft(const frame_look *l, int b)
 {
     const body *x = &l->f->body[b];
     return (cell_part){ { b, 0, 0, x->shape->columns - 1, x->shape->rows - 1 },
@@ -129,7 +129,7 @@ static void box_all(const frame_look *l)
 {
     const soft_frame *f = l->f;
     for (int n = 0; n < f->softs && !l->c->is_boxed; n++)
-        if (is_certified(f, f->soft[n])) box_part(l, whole_of(l, f->soft[n]));
+        if (is_certified(f, f->soft[n])) box_part(l, whole_soft(l, f->soft[n]));
     l->c->is_boxed = true;
 }
 //<
@@ -226,7 +226,7 @@ static void tell(const certificate *c, witness w)
     c->read(c->to, &w);
 }
 
-static void keep(const frame_look *l, const witness *w)
+static void keep_witness(const frame_look *l, const witness *w)
 {
     certificate *c = l->c;
     if (l->tells) tell(c, *w);
@@ -262,7 +262,7 @@ static bool is_spread_out(const frame_look *l, witness_kind kind, cell_part a,
     if (!projection_of(l, r, w.normal)) return false;
     w.slack = slack_of_spread(l, r, w.normal);
     if (!(w.slack > 0)) return false;
-    keep(l, &w);
+    keep_witness(l, &w);
     return true;
 }
 //<
@@ -284,7 +284,7 @@ static void mark_window(const frame_look *l, cell_range r, int right,
 static void find_windows(const frame_look *l, cell_part p)
 {
     enum { MORE = 2 };
-    cell_part half[2], all = whole_of(l, p.cells.body), window = p;
+    cell_part half[2], all = whole_soft(l, p.cells.body), window = p;
     window.cells.right = int_min(p.cells.right + MORE, all.cells.right);
     window.cells.bottom = int_min(p.cells.bottom + MORE, all.cells.bottom);
     if (is_spread_out(l, WITNESS_WINDOW, p, window)) {
@@ -316,7 +316,7 @@ typedef struct {
     real height;
 } lowest;
 
-static void lower(lowest *to, vec3 x, vec3 n)
+static void lower_to(lowest *to, vec3 x, vec3 n)
 {
     real height = vec3_dot(n, x);
     if (height < to->height) *to = (lowest){ x, height };
@@ -335,10 +335,10 @@ static vec3 lowest_of(const frame_look *l, int e, const certified_set *s,
                          n.y > 0 ? b->low[e].y : b->high[e].y,
                          n.z > 0 ? b->low[e].z : b->high[e].z);
     }
-    for (int i = 0; i < s->count; i++) lower(&low, at[s->vertex[i]], n);
+    for (int i = 0; i < s->count; i++) lower_to(&low, at[s->vertex[i]], n);
     for (int j = r.top; j <= r.bottom && s->count == 0; j++) {
         const vec3 *x = &at[vertex_at(l, r.body, 0, j)];
-        for (int i = r.left; i <= r.right; i++) lower(&low, x[i], n);
+        for (int i = r.left; i <= r.right; i++) lower_to(&low, x[i], n);
     }
     return low.x;
 }
@@ -400,7 +400,7 @@ static bool keep_plane(const frame_look *l, const certified_set set[2], vec3 n,
 {
     witness w = { WITNESS_PLANE, { set[0], set[1] }, { n }, slack };
     if (!(slack > 0)) return false;
-    keep(l, &w);
+    keep_witness(l, &w);
     return true;
 }
 
@@ -459,7 +459,7 @@ static void part_facets(const frame_look *l, certified_set a, certified_set b)
     if (is_crossed) leave_out(l, set);
     if (is_crossed || (is_beside_crossed(l, &a) && is_beside_crossed(l, &b))) {
         witness w = { .kind = WITNESS_NONE, .set = { a, b } };
-        keep(l, &w);
+        keep_witness(l, &w);
         return;
     }
     if (c->clashes < c->particles)
@@ -575,7 +575,7 @@ static witness asked(const frame_look *l, int a, int b)
 {
     witness w = { .kind = WITNESS_ASKED };
     for (int i = 0; i < 2; i++) {
-        w.set[i].part = whole_of(l, i == 0 ? a : b);
+        w.set[i].part = whole_soft(l, i == 0 ? a : b);
         w.set[i].vertex[0] = l->f->body[i == 0 ? a : b].first;
     }
     return w;
@@ -613,15 +613,15 @@ static void look_at_all(const frame_look *l)
     c->clashes = c->left_out = c->keeps = 0;
     c->is_boxed = false;
     for (int n = 0; n < softs; n++)
-        if (is_certified(l->f, soft[n])) find_windows(l, whole_of(l, soft[n]));
+        if (is_certified(l->f, soft[n])) find_windows(l, whole_soft(l, soft[n]));
     for (int n = 0; n < softs; n++)
         for (int m = 0; m <= n; m++) {
             int a = soft[m], b = soft[n];
             if (!is_asked(l, a, b)) continue;
             witness w = asked(l, a, b);
-            keep(l, &w);
-            if (a == b) look_within(l, whole_of(l, b));
-            else        look_between(l, whole_of(l, a), whole_of(l, b));
+            keep_witness(l, &w);
+            if (a == b) look_within(l, whole_soft(l, b));
+            else        look_between(l, whole_soft(l, a), whole_soft(l, b));
         }
     c->made = c->keeps;
     if (is_hopeless(c)) c->keeps = 0;
@@ -678,7 +678,7 @@ static void measure_ways(const frame_look *l, const vec3 *from)
 }
 
 // m: so far went neighbours of a range, at most.
-static real way_beside(const frame_look *l, cell_range r)
+static real cells_way(const frame_look *l, cell_range r)
 {
     real most = 0;
     for (int j = r.top; j <= r.bottom; j++) {
@@ -697,13 +697,13 @@ static real way_of(const frame_look *l, const witness *w)
     cell_range a = w->set[0].part.cells, b = w->set[1].part.cells;
     cell_range r = range_around(a, b);
     if (w->kind == WITNESS_SPREAD || w->kind == WITNESS_WINDOW)
-        return way_beside(l, r);
+        return cells_way(l, r);
     if (a.body != b.body) return c->apart;
     int steps = r.right - r.left + r.bottom - r.top;
     return real_min(c->apart, steps * c->bent);
 }
 
-static bool holds(const frame_look *now, witness *w)
+static bool witness_holds(const frame_look *now, witness *w)
 {
     vec3 where;
     w->slack -= way_of(now, w);
@@ -724,7 +724,7 @@ static void prove_again(const frame_look *l, const witness *w)
     frame_look inside = *l;
     inside.in = &b.cells;
     if (w->kind == WITNESS_LOST)
-        look_within(&inside, whole_of(l, b.cells.body));
+        look_within(&inside, whole_soft(l, b.cells.body));
     else if (w->set[0].count > 0) part_facets(l, w->set[0], w->set[1]);
     else if (w->kind == WITNESS_SPREAD && is_same_range(a.cells, b.cells))
         look_within(l, a);
@@ -738,7 +738,7 @@ static void look_at_windows(const frame_look *l, const frame_look *now)
     int n = c->keeps;
     for (int k = 0; k < n; k++) {
         witness *w = &c->kept[k];
-        if (w->kind != WITNESS_WINDOW || holds(now, w)) continue;
+        if (w->kind != WITNESS_WINDOW || witness_holds(now, w)) continue;
         w->kind = WITNESS_LOST;
         w->set[0].part.box = -1;
         find_windows(l, w->set[0].part);
@@ -756,7 +756,7 @@ static void look_at_clashes(const frame_look *l, int n)
     }
 }
 
-static bool is_lost(const witness *w)
+static bool is_witness_lost(const witness *w)
 {
     if (w->kind == WITNESS_WINDOW || w->kind == WITNESS_ASKED) return false;
     return w->kind == WITNESS_LOST || !(w->slack > 0);
@@ -767,7 +767,7 @@ static void move_up(certificate *c, int n)
 {
     int held = 0, all = int_min(c->keeps, c->room);
     for (int k = 0; k < all; k++)
-        if (k >= n || !is_lost(&c->kept[k])) {
+        if (k >= n || !is_witness_lost(&c->kept[k])) {
             if (held < k) c->kept[held] = c->kept[k];
             held++;
         }
@@ -775,7 +775,7 @@ static void move_up(certificate *c, int n)
 }
 
 // Where it is hopeless, all that was kept stays, to be asked of another end.
-static void look_again(const frame_look *l)
+static void look_at_kept(const frame_look *l)
 {
     certificate *c = l->c;
     int n = c->keeps, clashed = is_hopeless(c) ? 0 : c->clashes;
@@ -790,7 +790,7 @@ static void look_again(const frame_look *l)
         witness *w = &c->kept[k];
         if (w->kind == WITNESS_WINDOW || w->kind == WITNESS_ASKED) continue;
         if (is_hopeless(c))         w->slack -= way_of(l, w);
-        else if (w->kind == WITNESS_LOST || !holds(&now, w)) prove_again(l, w);
+        else if (w->kind == WITNESS_LOST || !witness_holds(&now, w)) prove_again(l, w);
     }
     if (is_hopeless(c)) c->keeps = clashed > 0 ? 0 : windows;
     else                move_up(c, n);
@@ -845,7 +845,7 @@ typedef struct {
     bool is_over;
 } side_of_plane;
 
-static bool is_beyond(const side_of_plane *s, real middle)
+static bool is_past_plane(const side_of_plane *s, real middle)
 {
     return s->is_over ? middle > s->at : middle < s->at;
 }
@@ -858,7 +858,7 @@ static real balance(const side_of_plane *s, int count)
     for (int k = 0; k < count; k++) {
         real pull = 0;
         for (int i = 0; i < count; i++)
-            if (is_beyond(&s[i], s[k].at))
+            if (is_past_plane(&s[i], s[k].at))
                 pull += s[i].weight * (s[k].at - s[i].at);
         if (pull <= 0) low = real_max(low, s[k].at);
     }
@@ -892,7 +892,7 @@ static void part_clash(const frame_look *l, const facet_clash *x)
     real middle = balance(side, count);
     for (int k = 0; k < count; k++) {
         vec3 *at = &l->c->at[1][vertex[k]];
-        if (is_beyond(&side[k], middle) && !is_fixed(l, vertex[k]))
+        if (is_past_plane(&side[k], middle) && !is_fixed(l, vertex[k]))
             *at = vec3_add_scaled(*at, middle - side[k].at, x->normal);
     }
 }
@@ -924,7 +924,7 @@ static void forget_patches(certificate *c)
     }
 }
 
-static void join(certificate *c, int v, int to)
+static void join_components(certificate *c, int v, int to)
 {
     int first = patch_of(c, to);
     c->of[patch_of(c, v)].patch = first;
@@ -935,7 +935,7 @@ static void join_clash(certificate *c, const facet_clash *x)
 {
     for (int i = 0; i < 2; i++)
         for (int k = 0; k < x->set[i].count; k++)
-            join(c, x->set[i].vertex[k], x->set[0].vertex[0]);
+            join_components(c, x->set[i].vertex[k], x->set[0].vertex[0]);
 }
 
 static void join_cloths(const frame_look *l, const facet_clash *x)
@@ -946,7 +946,7 @@ static void join_cloths(const frame_look *l, const facet_clash *x)
         int patch = patch_of(l->c, b->first);
         if (l->c->of[patch].is_whole && patch == patch_of(l->c, first)) continue;
         for (int v = b->first; v < b->first + body_particles(b); v++)
-            join(l->c, v, first);
+            join_components(l->c, v, first);
     }
 }
 
@@ -988,9 +988,9 @@ static void cloths_go(const frame_look *l)
 }
 
 // Ends have been put elsewhere since the last look.
-static void look(const frame_look *l)
+static void look_at_ends(const frame_look *l)
 {
-    if (may_look_again(l)) look_again(l);
+    if (may_look_again(l)) look_at_kept(l);
     else                   look_at_all(l);
 }
 
@@ -1001,7 +1001,7 @@ static void look_after(const frame_look *l, void put(const frame_look *l))
     if (is_hopeless(c)) cloths_go(l);
     else                put(l);
     measure_ways(l, c->seen);
-    look(l);
+    look_at_ends(l);
 }
 
 static void part_clashes(const frame_look *l)
@@ -1020,20 +1020,20 @@ static void stand_still(const frame_look *l)
 }
 
 // Before all of it stands still for a piece.
-enum { PARTINGS = 4, ROUNDS = 16 };
+enum { PARTINGS = 4, PROOF_ROUNDS = 16 };
 
 static void certify(const frame_look *l)
 {
     certificate *c = l->c;
     measure_ways(l, c->at[0]);
-    look(l);
+    look_at_ends(l);
     // Those beside what crossed are known now.
-    if (c->left_out > 0) look(l);
+    if (c->left_out > 0) look_at_ends(l);
     c->prevented = c->clashes;
     for (int k = 0; k < PARTINGS && c->clashes > 0; k++)
         look_after(l, part_clashes);
     if (c->clashes > 0) forget_patches(c);
-    for (int k = 0; k < ROUNDS && c->clashes > 0; k++)
+    for (int k = 0; k < PROOF_ROUNDS && c->clashes > 0; k++)
         look_after(l, patches_go);
     if (c->clashes > 0) stand_still(l);
 }
@@ -1042,7 +1042,7 @@ static void certify(const frame_look *l)
 //> certificate-frame
 //>   What it has added to a way, it adds to the velocity. A long frame has more
 //>   than one way.
-static void take_back(const frame_look *l, int v)
+static void take_back_vertex(const frame_look *l, int v)
 {
     const soft_frame *f = l->f;
     particle *p = &f->particle[v];
@@ -1140,7 +1140,7 @@ void certificate_end(certificate *c, const soft_frame *f)
         const body *x = &f->body[f->soft[n]];
         if (!is_certified(f, f->soft[n])) continue;
         for (int v = x->first; v < x->first + body_particles(x); v++)
-            take_back(&l, v);
+            take_back_vertex(&l, v);
     }
     begin_next(c);
 }

@@ -55,9 +55,9 @@ typedef struct {
     vec3 least;         // m
     real side;          // m
     int  nx, ny, nz;
-} cut;
+} cell_cut;
 
-static vec3 lower(vec3 a, vec3 b)
+static vec3 lower_corner(vec3 a, vec3 b)
 {
     return (vec3){ a.x < b.x ? a.x : b.x, a.y < b.y ? a.y : b.y,
                    a.z < b.z ? a.z : b.z };
@@ -65,20 +65,20 @@ static vec3 lower(vec3 a, vec3 b)
 
 // Cells as wide as the reach, or, if there are too many of them, a quarter
 // wider, and again, up to six times the reach.  0: that is not enough.
-static int cut_box(cut *c, const vec3 *at, int n, real reach, int cells)
+static int cut_box(cell_cut *c, const vec3 *at, int n, real reach, int cells)
 {
     vec3 least = at[0], most = vec3_scale(-1, at[0]);
     real sum = 0;
     for (int i = 0; i < n; i++) {
-        least = lower(least, at[i]);
-        most = lower(most, vec3_scale(-1, at[i]));
+        least = lower_corner(least, at[i]);
+        most = lower_corner(most, vec3_scale(-1, at[i]));
         sum += 0 * (at[i].x + at[i].y + at[i].z);
     }
     vec3 size = vec3_scale(-1, vec3_add(most, least));
     for (real side = reach; sum == 0 && side < 6 * reach; side *= 1.25) {
         real x = size.x / side, y = size.y / side, z = size.z / side;
         if (!((x + 1) * (y + 1) * (z + 1) <= cells)) continue;
-        *c = (cut){ least, side, (int)x + 1, (int)y + 1, (int)z + 1 };
+        *c = (cell_cut){ least, side, (int)x + 1, (int)y + 1, (int)z + 1 };
         return 1;
     }
     return 0;
@@ -91,7 +91,7 @@ static int cut_box(cut *c, const vec3 *at, int n, real reach, int cells)
 //>   sort*, in time proportional to points and cells.
 // Two rows of the sheet are parted by so many empty places: so no point at the
 // end of a row is beside one at the beginning of the next.
-enum { MARGIN = 2 };
+enum { CELL_MARGIN = 2 };
 
 // Rounding may put the outermost point beyond the last cell.
 static int cell_along(real x, real least, real side, int n)
@@ -103,7 +103,7 @@ static int cell_along(real x, real least, real side, int n)
 // A counting sort: how many there are in each cell says where the next begins.
 // It counts two cells further on.  So, while the points are placed, the first
 // free place of cell c stands in start[c + 1], and in the end where c + 1 begins.
-static void sort_points(grid *g, const cut *c, const vec3 *at, int n,
+static void sort_points(grid *g, const cell_cut *c, const vec3 *at, int n,
                         int columns)
 {
     int cells = c->nx * c->ny * c->nz, column = 0, place = 0;
@@ -120,7 +120,7 @@ static void sort_points(grid *g, const cut *c, const vec3 *at, int n,
         g->sorted[g->start[g->cell[i] + 1]++] = (grid_point){ at[i], i, place };
         bool is_last = ++column == columns;
         column = is_last ? 0 : column;
-        place += is_last ? 1 + MARGIN : 1;
+        place += is_last ? 1 + CELL_MARGIN : 1;
     }
 }
 //<
@@ -128,12 +128,12 @@ static void sort_points(grid *g, const cut *c, const vec3 *at, int n,
 //> grid-look
 typedef struct {
     grid *g;
-    cut  c;
+    cell_cut  c;
     real reach2;        // m^2
     int pitch;          // places from one row of the sheet to the next
     leaf_pair *out;
     int found, capacity;
-} search;
+} grid_search;
 
 // What stands in a row of cells, copied behind the n that are there.
 static int crowd_add(crowd c, int n, const grid_point *from,
@@ -150,8 +150,8 @@ static int crowd_add(crowd c, int n, const grid_point *from,
 }
 
 // Measures number i and those that come after it.
-static void measure(const real *restrict x, const real *restrict y,
-                    const real *restrict z, real *restrict d2, int i, int n)
+static void measure_crowd(const real *restrict x, const real *restrict y,
+                          const real *restrict z, real *restrict d2, int i, int n)
 {
     real x0 = x[i], y0 = y[i], z0 = z[i];
     for (int k = i + 1; k < n; k++) {
@@ -161,7 +161,7 @@ static void measure(const real *restrict x, const real *restrict y,
 }
 
 // By their places: neighbours in the sheet?
-static bool is_beside(int a, int b, int pitch)
+static bool is_grid_neighbour(int a, int b, int pitch)
 {
     int steps = abs(a - b);
     return steps <= 1 || abs(steps - pitch) <= 1;
@@ -169,17 +169,17 @@ static bool is_beside(int a, int b, int pitch)
 
 // The first loop asks no question whose answer a processor would have to guess:
 // what may be near is written, and stays if the count moves over it.
-static void look(search *s, crowd c, int i, int n)
+static void look_in_crowd(grid_search *s, crowd c, int i, int n)
 {
     int near = 0, p = c.number[i];
-    measure(c.x, c.y, c.z, c.d2, i, n);
+    measure_crowd(c.x, c.y, c.z, c.d2, i, n);
     for (int k = i + 1; k < n; k++) {
         c.near[near] = k;
         near += c.d2[k] < s->reach2;
     }
     for (int k = 0; k < near; k++) {
         int q = c.number[c.near[k]];
-        if (is_beside(c.place[i], c.place[c.near[k]], s->pitch)) continue;
+        if (is_grid_neighbour(c.place[i], c.place[c.near[k]], s->pitch)) continue;
         if (s->found < s->capacity)
             s->out[s->found] = (leaf_pair){ p < q ? p : q, p < q ? q : p };
         s->found++;
@@ -191,7 +191,7 @@ static void look(search *s, crowd c, int i, int n)
 //>   What is left is the walk over all cells that hold a point.
 // Of the 26 cells around one, 13 come after it: the next one in its row, and
 // three in each of four rows.  Those of a row stand in one piece.
-static void look_around(search *s, int cell)
+static void look_around_cell(grid_search *s, int cell)
 {
     static const int row[4][2] = { { 1, 0 }, { -1, 1 }, { 0, 1 }, { 1, 1 } };
     const int *start = s->g->start;
@@ -209,21 +209,21 @@ static void look_around(search *s, int cell)
         n = crowd_add(s->g->crowd, n, sorted + start[there + left],
                       sorted + start[there + right + 1]);
     }
-    for (int i = 0; i < own; i++) look(s, s->g->crowd, i, n);
+    for (int i = 0; i < own; i++) look_in_crowd(s, s->g->crowd, i, n);
 }
 
 int grid_pairs(grid *g, const vec3 *at, int n, real reach, int columns,
                leaf_pair *out, int capacity)
 {
     assert(n <= g->points && reach > 0 && columns > 0 && capacity >= 0);
-    search s = { .g = g, .reach2 = reach * reach, .pitch = columns + MARGIN,
+    grid_search s = { .g = g, .reach2 = reach * reach, .pitch = columns + CELL_MARGIN,
                  .out = out, .capacity = capacity };
     if (n == 0) return 0;
     if (!cut_box(&s.c, at, n, reach, g->cells)) return -1;
     sort_points(g, &s.c, at, n, columns);
     for (int k = 0; k < n;) {
         int cell = g->cell[g->sorted[k].number];
-        look_around(&s, cell);
+        look_around_cell(&s, cell);
         k = g->start[cell + 1];
     }
     return s.found;

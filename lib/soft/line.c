@@ -154,7 +154,7 @@ void line_scratch_free(line_scratch *scratch)
 //>   Of a particle's seven numbers the solver needs four. They are fetched once
 //>   a substep, and brought back at the end.
 // Returns the largest weight.
-static real gather(places to, const particle *p, int n)
+static real gather_line(places to, const particle *p, int n)
 {
     real largest = 0;
     for (int i = 0; i < n; i++) {
@@ -181,11 +181,11 @@ static void gather_all(line_scratch *scratch, const particle *p, int n,
 {
     assert(options.tolerance >= 0 && n <= scratch->room);
     hold_nothing(scratch);
-    scratch->lightest = gather(scratch->now, p, n);
+    scratch->lightest = gather_line(scratch->now, p, n);
     if (options.gradient == GRADIENT_OLD) gather_before(scratch->before, p, n);
 }
 
-static void scatter(places from, particle *p, int n)
+static void scatter_line(places from, particle *p, int n)
 {
     for (int i = 0; i < n; i++)
         p[i].position = (vec3){ from.x[i], from.y[i], from.z[i] };
@@ -255,7 +255,7 @@ static inline void count_wrong(tally *t, int l, real twice, int old)
 
 //> line-eliminate
 // A pivot below this share of its diagonal is what rounding left of nothing.
-static const real NOTHING = 1e-9;
+static const real LINE_NOTHING = 1e-9;
 
 // A link that lies along the normals of what holds its ends asks for what they
 // hardly give.  It gets a little less than it asks for.
@@ -311,12 +311,12 @@ static inline real wrong_length(real now, real rest, real longer)
 // L / sqrt(3) asks for no more than twice its length.
 // at and hold: the coordinates of a row of particles, `apart` numbers from each
 // other.  drawn: how the links have pulled; a pull of 1 stretches them by give.
-ALWAYS_INLINE void eliminate(const real *restrict at, const real *restrict hold,
-                             int apart, int pitch, real *restrict before,
-                             int lanes, int old, int held, int gives,
-                             real rest2, real half,
-                             const real *restrict drawn, real give,
-                             tally *restrict t)
+ALWAYS_INLINE void eliminate_rows(const real *restrict at, const real *restrict hold,
+                                  int apart, int pitch, real *restrict before,
+                                  int lanes, int old, int held, int gives,
+                                  real rest2, real half,
+                                  const real *restrict drawn, real give,
+                                  tally *restrict t)
 {
     real rest = sqrt(rest2);
     real *here = before + FIELDS * lanes;
@@ -342,7 +342,7 @@ ALWAYS_INLINE void eliminate(const real *restrict at, const real *restrict hold,
         real h = (old ? e.upper : e.lower) * before[SHARE * lanes + l];
         before[SHARE * lanes + l] = h;
         real pivot = e.diagonal - e.lower * h;
-        real least = NOTHING * (old ? both * now : e.diagonal);
+        real least = LINE_NOTHING * (old ? both * now : e.diagonal);
         real inverse = pivot > least ? 1 / pivot : 0;
         here[SHARE * lanes + l] = inverse;
 
@@ -366,11 +366,11 @@ NEVER_INLINE void eliminate_held(const real *restrict at,
                                  real rest2, real half, tally *restrict t)
 {
     if (lanes == LANES)
-        eliminate(at, hold, apart, pitch, before, LANES, 0, 1, 0, rest2, half,
-                  NULL, 0, t);
+        eliminate_rows(at, hold, apart, pitch, before, LANES, 0, 1, 0, rest2, half,
+                       NULL, 0, t);
     else
-        eliminate(at, hold, apart, pitch, before, HALF, 0, 1, 0, rest2, half,
-                  NULL, 0, t);
+        eliminate_rows(at, hold, apart, pitch, before, HALF, 0, 1, 0, rest2, half,
+                       NULL, 0, t);
 }
 
 // Those that give, likewise.
@@ -382,14 +382,14 @@ NEVER_INLINE void eliminate_giving(const real *restrict at,
                                    tally *restrict t)
 {
     if (lanes == LANES && !held)
-        eliminate(at, hold, apart, pitch, before, LANES, 0, 0, 1, rest2, half,
-                  drawn, give, t);
+        eliminate_rows(at, hold, apart, pitch, before, LANES, 0, 0, 1, rest2, half,
+                       drawn, give, t);
     else if (lanes == LANES)
-        eliminate(at, hold, apart, pitch, before, LANES, 0, 1, 1, rest2, half,
-                  drawn, give, t);
+        eliminate_rows(at, hold, apart, pitch, before, LANES, 0, 1, 1, rest2, half,
+                       drawn, give, t);
     else
-        eliminate(at, hold, apart, pitch, before, lanes, 0, held, 1, rest2,
-                  half, drawn, give, t);
+        eliminate_rows(at, hold, apart, pitch, before, lanes, 0, held, 1, rest2,
+                       half, drawn, give, t);
 }
 //<
 
@@ -474,9 +474,9 @@ typedef struct {
     int  pitch;
     tally t;
     real first;                 // m^2, of lane 0: t.worst before the first step
-} block;
+} line_block;
 
-static inline real *row_at(const block *b, int k)
+static inline real *row_at(const line_block *b, int k)
 {
     return b->scratch->link + (k + 1) * FIELDS * b->lanes;
 }
@@ -484,7 +484,7 @@ static inline real *row_at(const block *b, int k)
 // The lines from number first on.  Where fewer are left than it has lanes, it
 // begins with lines of the block before: what comes out there is not looked at.
 // Along the old links each line is judged for itself, so each is a block.
-static void block_begin(block *b, int first)
+static void block_begin(line_block *b, int first)
 {
     b->lanes = b->old ? 1 : lanes_for(b->s.lines, first);
     int begin = int_min(first, b->s.lines - b->lanes);
@@ -506,7 +506,7 @@ static void block_begin(block *b, int first)
 // Neighbouring columns lie side by side in the body, and are solved where they
 // are.  Rows, and what must not be solved twice or may have to be taken back
 // (the old gradient), are copied.
-static int fits_in_place(const block *b)
+static int fits_in_place(const line_block *b)
 {
     return !b->old && b->from == 0 && (b->lanes == 1 || b->s.across == 1);
 }
@@ -524,7 +524,7 @@ ALWAYS_INLINE void lanes_out(real *restrict to, const real *restrict from,
     for (int l = 0; l < lanes; l++) to[l * across] = from[l];
 }
 
-ALWAYS_INLINE void copy_lanes(const block *b, int lanes, places to, places from)
+ALWAYS_INLINE void copy_lanes(const line_block *b, int lanes, places to, places from)
 {
     int across = b->s.across;
     from = places_from(from, b->start);
@@ -538,14 +538,14 @@ ALWAYS_INLINE void copy_lanes(const block *b, int lanes, places to, places from)
     }
 }
 
-static void block_copy(const block *b, places to, places from)
+static void block_copy(const line_block *b, places to, places from)
 {
     if (b->lanes == LANES)     copy_lanes(b, LANES, to, from);
     else if (b->lanes == HALF) copy_lanes(b, HALF, to, from);
     else                       copy_lanes(b, 1, to, from);
 }
 
-static void block_fetch(block *b)
+static void block_fetch(line_block *b)
 {
     places room = b->scratch->block;
     for (int l = 0; l < b->lanes; l++) place_set(room, l, (vec3){ 0, 0, 0 });
@@ -557,7 +557,7 @@ static void block_fetch(block *b)
     block_copy(b, b->hold, b->scratch->hold);
 }
 
-static void block_load(block *b)
+static void block_load(line_block *b)
 {
     int links = b->s.particles - 1, along = b->s.along;
     b->in_place = fits_in_place(b);
@@ -575,7 +575,7 @@ static void block_load(block *b)
 }
 
 // The lanes that are solved go where they came from.
-static void block_store(const block *b, const int *solved)
+static void block_store(const line_block *b, const int *solved)
 {
     int lanes = b->lanes, all = lanes > 1;
     if (b->in_place) return;
@@ -599,7 +599,7 @@ static void block_store(const block *b, const int *solved)
 //>   `restrict` says that they do not.
 // What these loops count stands in variables of their own, to which no pointer
 // leads: else a compiler would have to load and store them in every row.
-ALWAYS_INLINE void eliminate_lines(block *b, int lanes, int old)
+ALWAYS_INLINE void eliminate_lines(line_block *b, int lanes, int old)
 {
     tally t = { .worst = { 0 } };
     const real *at = b->at.x, *hold = b->hold.x;
@@ -618,11 +618,11 @@ ALWAYS_INLINE void eliminate_lines(block *b, int lanes, int old)
             eliminate_held(at, hold, apart, pitch, row, lanes, rest2, half,
                            &t);
         else if (is_held)
-            eliminate(at, hold, apart, pitch, row, lanes, old, 1, 0, rest2,
-                      half, NULL, 0, &t);
+            eliminate_rows(at, hold, apart, pitch, row, lanes, old, 1, 0, rest2,
+                           half, NULL, 0, &t);
         else
-            eliminate(at, hold, apart, pitch, row, lanes, old, 0, 0, rest2,
-                      half, NULL, 0, &t);
+            eliminate_rows(at, hold, apart, pitch, row, lanes, old, 0, 0, rest2,
+                           half, NULL, 0, &t);
         row += FIELDS * lanes;
         at += pitch;
         hold += pitch;
@@ -636,7 +636,7 @@ ALWAYS_INLINE void eliminate_lines(block *b, int lanes, int old)
 }
 
 // The last pair has no link above it: it moves particle 0.
-ALWAYS_INLINE void substitute_lines(block *b, int lanes, int old)
+ALWAYS_INLINE void substitute_lines(line_block *b, int lanes, int old)
 {
     real pull[3 * LANES] = { 0 }, far[LANES] = { 0 };
     int pitch = b->pitch, apart = (int)(b->hold.y - b->hold.x);
@@ -662,7 +662,7 @@ ALWAYS_INLINE void substitute_lines(block *b, int lanes, int old)
 
 // One loop for each number of lanes and each gradient, so that no loop chooses
 // and the compiler knows how many numbers lie side by side.
-static void block_eliminate(block *b)
+static void block_eliminate(line_block *b)
 {
     if (b->lanes == LANES)     eliminate_lines(b, LANES, 0);
     else if (b->lanes == HALF) eliminate_lines(b, HALF, 0);
@@ -670,7 +670,7 @@ static void block_eliminate(block *b)
     else                       eliminate_lines(b, 1, 0);
 }
 
-static void block_substitute(block *b)
+static void block_substitute(line_block *b)
 {
     if (b->lanes == LANES)     substitute_lines(b, LANES, 0);
     else if (b->lanes == HALF) substitute_lines(b, HALF, 0);
@@ -686,7 +686,7 @@ static void block_substitute(block *b)
 // after the other no particle needs to move farther than their sum; if one has
 // moved farther than that and half a link, the whole line goes back, to the
 // share of the way that this allows: so every pull keeps its counterpart.
-static vec3 move_of(const block *b, int k, int l)
+static vec3 move_of(const line_block *b, int k, int l)
 {
     const real *here = row_at(b, k - 1), *after = row_at(b, k);
     int solved = SOLVED * b->lanes + l;
@@ -700,7 +700,7 @@ static vec3 move_of(const block *b, int k, int l)
 
 // m^2, the sum of what was wrong.  Along the new links it was not counted:
 // there each link has left its own in the row.
-static real sum_of_wrong(const block *b, int l)
+static real sum_of_wrong(const line_block *b, int l)
 {
     real rest = b->s.rest_length, sum = 0;
     if (b->old) return b->t.sum[l];
@@ -711,7 +711,7 @@ static real sum_of_wrong(const block *b, int l)
     return sum;
 }
 
-static void hold_back(block *b, int l)
+static void hold_back(line_block *b, int l)
 {
     real rest = b->s.rest_length, far = 0;
     real most = rest / 2 + sum_of_wrong(b, l) / rest;
@@ -745,7 +745,7 @@ ALWAYS_INLINE void add_pulls(const real *restrict row, int links,
     }
 }
 
-static void remember_pulls(const block *b, const int *solved)
+static void remember_pulls(const line_block *b, const int *solved)
 {
     int links = b->s.particles - 1;
     real done[LANES];
@@ -765,7 +765,7 @@ static void remember_pulls(const block *b, const int *solved)
 // Where all moves together are short, each is: so much of a link, squared.
 static const real TOO_FAR = 0.25;           // tuned, 1
 
-static void block_step(block *b)
+static void block_step(line_block *b)
 {
     real rest = b->s.rest_length;
     block_eliminate(b);
@@ -775,7 +775,7 @@ static void block_step(block *b)
 }
 
 // Newton steps for all lanes, from where the particles are.
-static void block_newton(block *b, int most, real tolerance, line_result *r)
+static void block_newton(line_block *b, int most, real tolerance, line_result *r)
 {
     real enough = tolerance * b->s.rest_length * b->s.rest_length;
     block_load(b);
@@ -791,7 +791,7 @@ static void block_newton(block *b, int most, real tolerance, line_result *r)
 }
 
 // A sum with a NaN in it, or out of all bounds.
-static int is_lost(const block *b, int l)
+static int is_line_lost(const line_block *b, int l)
 {
     return !(b->t.far[l] < HUGE_VAL);
 }
@@ -802,9 +802,9 @@ static int is_lost(const block *b, int l)
 // Newton's step squares a small error.  One that leaves more than an eighth of
 // it did not work, unless what it leaves is rounding: in strain,
 static const real WORKED = 0.125;           // tuned, 1
-static const real ROUNDING = 1e-9;
+static const real LINE_ROUNDING = 1e-9;
 
-static bool has_worked(const block *b, real tolerance)
+static bool has_worked(const line_block *b, real tolerance)
 {
     real rest2 = b->s.rest_length * b->s.rest_length, worst = 0;
     for (int k = 0; k + 1 < b->s.particles; k++) {
@@ -812,12 +812,13 @@ static bool has_worked(const block *b, real tolerance)
         real wrong = fabs(vec3_length_squared(link) - rest2) / 2;
         worst = worst > wrong ? worst : wrong;
     }
-    return !is_lost(b, 0) && worst <= fmax(fmax(tolerance, ROUNDING) * rest2,
-                                           WORKED * b->first);
+    return !is_line_lost(b, 0)
+        && worst <= fmax(fmax(tolerance, LINE_ROUNDING) * rest2,
+                                                WORKED * b->first);
 }
 
 // Stores the lanes that are solved.
-static void block_close(const block *b, const int *solved, line_result *r)
+static void block_close(const line_block *b, const int *solved, line_result *r)
 {
     real rest = b->s.rest_length;
     for (int l = 0; l < b->lanes; l++)
@@ -854,7 +855,7 @@ enum { PEEK = 4 };                          // tuned, links
 // m^2, the largest |now - rest^2| of a block of lines; HUGE_VAL for NaN,
 // and where it is more than enough.  Columns or rows, one of the two lies side by
 // side in the body.
-static real block_worst(const block *b, real enough)
+static real block_worst(const line_block *b, real enough)
 {
     strands s = b->s;
     bool is_across = s.across == 1;
@@ -877,7 +878,7 @@ static real block_worst(const block *b, real enough)
     return largest(worst);
 }
 
-static bool is_good(const block *b, real tolerance, line_result *r)
+static bool is_good(const line_block *b, real tolerance, line_result *r)
 {
     real rest2 = b->s.rest_length * b->s.rest_length;
     real enough = 2 * tolerance * rest2, worst = block_worst(b, enough);
@@ -890,7 +891,7 @@ static bool is_good(const block *b, real tolerance, line_result *r)
 //> line-solve
 //>   One direction is solved block by block.
 // Along the old links.  False: that did not work, and the line is as it was.
-static bool block_solve_old(block *b, int steps, real tolerance, line_result *r)
+static bool block_solve_old(line_block *b, int steps, real tolerance, line_result *r)
 {
     const int solved[LANES] = { 1 };
     block_newton(b, steps, tolerance, r);
@@ -900,7 +901,7 @@ static bool block_solve_old(block *b, int steps, real tolerance, line_result *r)
 }
 
 // A line whose numbers are lost, or get lost, goes back to where it began.
-static void block_restore(block *b, int l, const particle *p)
+static void block_restore(line_block *b, int l, const particle *p)
 {
     for (int k = 0; k < b->s.particles; k++) {
         int i = b->start + l * b->s.across + k * b->s.along;
@@ -909,13 +910,13 @@ static void block_restore(block *b, int l, const particle *p)
 }
 
 // Along the new ones.
-static void block_solve_new(block *b, int steps, real tolerance,
+static void block_solve_new(line_block *b, int steps, real tolerance,
                             const particle *p, line_result *r)
 {
     int solved[LANES];
     block_newton(b, steps, tolerance, r);
     for (int l = 0; l < b->lanes; l++) {
-        bool lost = l >= b->from && is_lost(b, l);
+        bool lost = l >= b->from && is_line_lost(b, l);
         solved[l] = l >= b->from && !lost;
         if (lost) block_restore(b, l, p);
         if (lost) r->worst = HUGE_VAL;
@@ -925,8 +926,9 @@ static void block_solve_new(block *b, int steps, real tolerance,
 
 // All lines of the direction b.s, from the places to the places; p is where
 // they were when the places were gathered.
-static void solve(block b, const particle *p, int steps, relax_options options,
-                  line_result *r)
+static void solve_lines(line_block b, const particle *p, int steps,
+                        relax_options options,
+                        line_result *r)
 {
     assert(b.s.particles <= b.scratch->particles);
     for (int first = 0; first < b.s.lines; first += b.lanes) {
@@ -977,7 +979,7 @@ real shape_width(const shape *s, int direction)
 //>   and whose neighbours all touch the same plane, is left free, because no
 //>   link draws it down. Afterwards the pulls are read off the moves.
 // What is held gives way by this share of what it would.
-static const real GIVE = 0.3;               // tuned, 1
+static const real GIVE_SHARE = 0.3;               // tuned, 1
 
 // Marks particle i in its blocks.  The last one may share lines with the one
 // before it.
@@ -995,10 +997,10 @@ static void mark(const shape *s, line_scratch *scratch, int i)
     scratch->is_held = true;
 }
 
-static bool is_beside(const line_hold *a, const line_hold *b)
+static bool is_on_same_side(const line_hold *a, const line_hold *b)
 {
     return b->state != LINE_FREE
-        && vec3_dot(a->normal, b->normal) > 1 - NOTHING;
+        && vec3_dot(a->normal, b->normal) > 1 - LINE_NOTHING;
 }
 
 // Where all neighbours touch the same plane, no link draws a particle into it.
@@ -1008,9 +1010,9 @@ static bool lies_flat(const shape *s, const line_hold *hold, int i)
     for (int d = 0; d < shape_directions(s) && is_flat; d++) {
         strands x = shape_strands(s, d);
         int k = i / x.along % x.particles;
-        if (k > 0) is_flat = is_beside(&hold[i], &hold[i - x.along]);
+        if (k > 0) is_flat = is_on_same_side(&hold[i], &hold[i - x.along]);
         if (k + 1 < x.particles && is_flat)
-            is_flat = is_beside(&hold[i], &hold[i + x.along]);
+            is_flat = is_on_same_side(&hold[i], &hold[i + x.along]);
     }
     return is_flat;
 }
@@ -1020,10 +1022,10 @@ static void hold_begin(const shape *s, line_scratch *scratch,
 {
     for (int i = 0; i < s->particles; i++) {
         real *weight = &scratch->now.weight[i];
-        if (hold[i].state == LINE_STICKS) *weight *= GIVE;
+        if (hold[i].state == LINE_STICKS) *weight *= GIVE_SHARE;
         if (hold[i].state != LINE_SLIDES || !(*weight > 0)) continue;
         if (lies_flat(s, hold, i)) continue;
-        real m = sqrt((1 - GIVE) * *weight);
+        real m = sqrt((1 - GIVE_SHARE) * *weight);
         place_set(scratch->hold, i, vec3_scale(m, hold[i].normal));
         mark(s, scratch, i);
     }
@@ -1041,9 +1043,9 @@ static void hold_end(const shape *s, line_scratch *scratch, const particle *p,
         bool sticks = hold[i].state == LINE_STICKS;
         hold[i].crept = sticks ? vec3_add(hold[i].crept, d) : (vec3){ 0, 0, 0 };
         if (sticks)
-            d = vec3_scale(1 / GIVE, d);
+            d = vec3_scale(1 / GIVE_SHARE, d);
         else if (into < 0)
-            d = vec3_add_scaled(d, into * (1 / GIVE - 1), hold[i].normal);
+            d = vec3_add_scaled(d, into * (1 / GIVE_SHARE - 1), hold[i].normal);
         hold[i].pull = d;
     }
 }
@@ -1143,7 +1145,7 @@ static void hold_strings(const shape *s, const line_scratch *scratch,
         real into = vec3_dot(vec3_sub(at, p[i].position), hold[i].normal);
         if (into < 0)
             place_set(scratch->now, i, vec3_add_scaled(
-                at, (GIVE - 1) * into, hold[i].normal));
+                at, (GIVE_SHARE - 1) * into, hold[i].normal));
     }
 }
 
@@ -1191,9 +1193,9 @@ line_result line_solve(strands s, particle *p, int steps,
     line_result r = { .worst = 0 };
     int last = (s.lines - 1) * s.across + (s.particles - 1) * s.along;
     gather_all(scratch, p, last + 1, options);
-    solve((block){ .s = s, .scratch = scratch, .more = 1, .direction = -1 }, p,
-          steps, options, &r);
-    scatter(scratch->now, p, last + 1);
+    solve_lines((line_block){ .s = s, .scratch = scratch, .more = 1, .direction = -1 }, p,
+                steps, options, &r);
+    scatter_line(scratch->now, p, last + 1);
     return r;
 }
 
@@ -1224,18 +1226,18 @@ line_result lines_relax(const shape *s, particle *p, int sweeps,
         bool asks_more = directions > 1 && (done > 0 || !(give > 0));
         real more = is_new && asks_more && done + 1 < most ? MORE : 1;
         r.worst = 0;
-        block b = { .scratch = scratch, .more = more,
+        line_block b = { .scratch = scratch, .more = more,
                     .may_skip = directions > 1 && done > 0 };
         for (b.direction = 0; b.direction < directions; b.direction++) {
             b.s = shape_strands(s, b.direction);
             b.drawn = is_drawn ? scratch->drawn[b.direction] : NULL;
             b.give = give * b.s.rest_length / shape_width(s, b.direction);
-            solve(b, p, 1, options, &r);
+            solve_lines(b, p, 1, options, &r);
         }
     } while (++done < most && !(r.worst <= options.tolerance));
     if (hold) hold_end(s, scratch, p, hold);
     if (is_drawn && hold) remember_strings(s, scratch, hold);
-    scatter(scratch->now, p, s->particles);
+    scatter_line(scratch->now, p, s->particles);
     r.steps = done;
     return r;
 }

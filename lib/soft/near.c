@@ -19,7 +19,7 @@ typedef struct {
     vec3 least, most;   // m
     real longest;       // m^2
     real fastest;       // m^2, the longest of the last substep
-} moves;
+} moves_box;
 
 static inline real longer(real a, vec3 d)
 {
@@ -29,7 +29,7 @@ static inline real longer(real a, vec3 d)
 }
 
 // d: since the listing; u: in the last substep.
-static inline void add_move(moves *m, vec3 d, vec3 u)
+static inline void add_move(moves_box *m, vec3 d, vec3 u)
 {
     m->least = (vec3){ d.x < m->least.x ? d.x : m->least.x,
                        d.y < m->least.y ? d.y : m->least.y,
@@ -41,10 +41,10 @@ static inline void add_move(moves *m, vec3 d, vec3 u)
     m->fastest = longer(m->fastest, u);
 }
 
-static void add_soft_moves(moves *to, const near_lists *l, const soft_frame *f,
+static void add_soft_moves(moves_box *to, const near_lists *l, const soft_frame *f,
                            const body *b)
 {
-    moves m = *to;
+    moves_box m = *to;
     for (int i = b->first; i < b->first + b->shape->particles; i++) {
         const particle *p = &f->particle[i];
         add_move(&m, vec3_sub(p->position, l->listed[i]),
@@ -55,7 +55,7 @@ static void add_soft_moves(moves *to, const near_lists *l, const soft_frame *f,
 
 // The vertices of a rigid body may be up to twice as far out as its four
 // particles are.
-static void add_rigid_moves(moves *m, const near_lists *l, const soft_frame *f,
+static void add_rigid_moves(moves_box *m, const near_lists *l, const soft_frame *f,
                             int b)
 {
     rigid_frame frame = soft_rigid_frame(f, b);
@@ -85,7 +85,7 @@ static bool lists_are_good(near_lists *l, const soft_frame *f)
         return true;
     }
     // What stands still has moved by nothing, and that is in the box, too.
-    moves m = { .longest = 0 };
+    moves_box m = { .longest = 0 };
     for (int k = 0; k < l->candidates; k++) {
         int b = l->candidate[k];
         if (!soft_moves(f, b)) continue;
@@ -190,13 +190,13 @@ void rigid_view_look(rigid_view *v, const soft_frame *f, int b)
 // right-angled edge 0.05: that much, and some more, facets keep from all.  What
 // is about as thin as a cell may be sharp, too, and be through in a substep: it
 // is stopped earlier.
-static const real THIN = 1.5;               // tuned, spacings
+static const real THIN_SHEET = 1.5;               // tuned, spacings
 static const real GAP = 0.3;                // tuned, thicknesses
 static const real GAP_THIN = 0.7;           // tuned, thicknesses
 
 real facet_gap(const body *soft, const body *rigid)
 {
-    bool is_thin = rigid->inner < THIN * soft->shape->spacing;
+    bool is_thin = rigid->inner < THIN_SHEET * soft->shape->spacing;
     return (is_thin ? GAP_THIN : GAP) * soft->thickness;
 }
 
@@ -218,7 +218,7 @@ static real facet_reach(real reach, const body *soft)
 // nothing else while the lists are good, and its particles keep it off that.
 enum { OVER_NOTHING = -1 };
 
-static bool is_over(const rigid_view *v, vec3 x, int ahead, real inside)
+static bool is_over_body(const rigid_view *v, vec3 x, int ahead, real inside)
 {
     if (v->hull.planes == 0) return false;
     plane face = v->plane[ahead];
@@ -232,7 +232,7 @@ static bool is_over(const rigid_view *v, vec3 x, int ahead, real inside)
 }
 
 // In the order in which facets are listed: by the two bodies, by number.
-static int order(const facet_pair *x, const facet_pair *y)
+static int order_facets(const facet_pair *x, const facet_pair *y)
 {
     int first = int_min(x->soft, x->rigid) - int_min(y->soft, y->rigid);
     int second = int_max(x->soft, x->rigid) - int_max(y->soft, y->rigid);
@@ -242,9 +242,9 @@ static int order(const facet_pair *x, const facet_pair *y)
 // What the last lists knew of a facet, which come in the same order.
 static plane known_plane(facet_list *last, const facet_pair *x)
 {
-    while (last->next < last->count && order(&last->at[last->next], x) < 0)
+    while (last->next < last->count && order_facets(&last->at[last->next], x) < 0)
         last->next++;
-    if (last->next < last->count && order(&last->at[last->next], x) == 0)
+    if (last->next < last->count && order_facets(&last->at[last->next], x) == 0)
         return last->at[last->next].between;
     return (plane){ { 0, 0, 0 }, 0 };
 }
@@ -259,8 +259,8 @@ static bool is_over_face(const int *ahead, const int corner_of[FACET])
 
 // May a facet with these corners come within reach?  All planes that a corner is
 // in front of are asked; most often it is the same one.
-static bool may_meet(const near_lists *l, const rigid_view *v,
-                     const int corner_of[FACET], real reach)
+static bool may_touch_soft(const near_lists *l, const rigid_view *v,
+                           const int corner_of[FACET], real reach)
 {
     vec3 end[FACET];
     int asked = OVER_NOTHING;
@@ -289,7 +289,7 @@ static void list_facets(near_lists *l, const rigid_view *v, const soft_frame *f,
         const int *ahead = l->ahead;
         int all = ahead[end[0]] & ahead[end[1]] & ahead[end[2]];
         if (all == OVER_NOTHING || is_over_face(ahead, end)) continue;
-        if (!may_meet(l, v, end, reach)) continue;
+        if (!may_touch_soft(l, v, end, reach)) continue;
         if (room_for(l, 1, l->facet_capacity - l->facet.count) < 1) continue;
         facet_pair pair = { .soft = a, .rigid = b, .number = k };
         pair.between = known_plane(&l->facets_before, &pair);
@@ -333,13 +333,13 @@ static void list_points(near_lists *l, rigid_view *v, const soft_frame *f,
         // Most that are far are in front of the plane that the last one was.
         if (v->hull.planes > 0 && plane_height(v->plane[ahead], x) > wide)
             continue;
-        int over = is_over(v, x, ahead, facet);
+        int over = is_over_body(v, x, ahead, facet);
         if (!over) ahead = hull_ahead(x, v->plane, v->hull.planes);
         real up = plane_height(obstacle_plane(&v->hull, x, ahead), x);
         if (up > wide) continue;
         l->ahead[i] = 2 * ahead;
         if (up > reach) continue;
-        over = over || is_over(v, x, ahead, facet);
+        over = over || is_over_body(v, x, ahead, facet);
         l->ahead[i] += over;
         if (room_for(l, 1, l->point_capacity - l->points) == 1)
             l->point[l->points++] = (point_pair){ i, a, b, ahead, over };
@@ -389,7 +389,7 @@ static void note_places(near_lists *l, const soft_frame *f, int b)
 
 // Where two begin nearer than touching, nothing has pressed them there, and to
 // be pushed out at once would throw them apart.  Each keeps the least gap that it has.
-static void find_gaps(near_lists *l, const soft_frame *f)
+static void find_soft_gaps(near_lists *l, const soft_frame *f)
 {
     for (int k = 0; k < l->pairs; k++) {
         const particle_contact *c = &l->pair[k];
@@ -433,7 +433,7 @@ void near_refresh(near_lists *l, rigid_view *v, const soft_frame *f)
         for (int j = k + 1; j < l->candidates; j++)
             list_pair(l, v, f, c[k], c[j]);
     }
-    if (l->softs > 1) find_gaps(l, f);
+    if (l->softs > 1) find_soft_gaps(l, f);
 }
 //<
 
@@ -520,7 +520,7 @@ static void choose_candidates(near_lists *l, const soft_frame *f,
 //> near-begin
 //>   A frame begins with a ball around each body.
 // Around the middle of the box of all.  What has no particles meets nothing.
-static sphere ball_around(const vec3 *at, int n)
+static sphere ball_of_box(const vec3 *at, int n)
 {
     if (n == 0) return (sphere){ { 0, 0, 0 }, -HUGE_VAL };
     box all = box_around(at, n);
@@ -541,7 +541,7 @@ void near_begin(near_lists *l, const soft_frame *f, const prediction *ahead)
             continue;
         }
         look_at_soft(l, f, b);
-        l->ball[b] = ball_around(at, f->body[b].shape->particles);
+        l->ball[b] = ball_of_box(at, f->body[b].shape->particles);
         l->ball[b].radius += f->body[b].thickness;
     }
     choose_candidates(l, f, ahead);
@@ -551,7 +551,7 @@ void near_begin(near_lists *l, const soft_frame *f, const prediction *ahead)
 //> near-init
 //>   Its memory.
 // Leaves are single particles.
-static status build_tree(sphere_tree *tree, const body *b)
+static status particle_tree(sphere_tree *tree, const body *b)
 {
     int n = b->shape->particles;
     if (!body_is_soft(b)) return status_ok();
@@ -588,7 +588,7 @@ static bool make_list_room(near_lists *l, int soft)
     return true;
 }
 
-static bool make_room(near_lists *l, int bodies, int particles)
+static bool make_near_room(near_lists *l, int bodies, int particles)
 {
     int room = table_room(bodies, l->bodies);
     int particle_room = table_room(particles, l->particles);
@@ -638,13 +638,13 @@ status near_add(near_lists *l, const body *all, int b, int bodies,
     const body *x = &all[b];
     if (l->softs == 0) l->margin = HUGE_VAL;
     l->trusted = -1;
-    if (!make_room(l, bodies, particles)) return status_out_of_memory();
+    if (!make_near_room(l, bodies, particles)) return status_out_of_memory();
     if (!body_is_soft(x)) return status_ok();
     int n = x->shape->particles;
     if (!make_list_room(l, l->soft_particles + n))
         return status_out_of_memory();
     status done = grow_grid(&l->grid, n);
-    if (done.ok) done = build_tree(&l->tree[b], x);
+    if (done.ok) done = particle_tree(&l->tree[b], x);
     if (!done.ok) return done;
     int k = l->softs++;
     for (; k > 0 && l->soft[k - 1] > b; k--) l->soft[k] = l->soft[k - 1];

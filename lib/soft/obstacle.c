@@ -58,7 +58,7 @@ static surface_point under(const obstacle *b, vec3 x, int k)
 }
 
 // Up to rounding.
-static bool is_inside(const obstacle *b, vec3 x)
+static bool is_behind_faces(const obstacle *b, vec3 x)
 {
     for (int k = 0; k < b->planes; k++)
         if (plane_height(b->plane[k], x) > 1e-12 * b->size) return false;
@@ -70,7 +70,8 @@ static bool is_inside(const obstacle *b, vec3 x)
 // of the way, another one with a part of it, and it began no higher.
 static bool stands_over(const obstacle *b, vec3 x, int k)
 {
-    return plane_height(b->plane[k], x) > 0 && is_inside(b, under(b, x, k).at);
+    return plane_height(b->plane[k], x) > 0
+        && is_behind_faces(b, under(b, x, k).at);
 }
 //<
 
@@ -96,7 +97,7 @@ static bool stands_over_edge(const obstacle *b, vec3 x, int k,
     vec3 way = vec3_add_scaled(vec3_scale(of_p / sine2, p.normal),
                                of_q / sine2, q.normal);
     *out = (surface_point){ vec3_sub(x, way), vec3_unit(way) };
-    return is_inside(b, out->at);
+    return is_behind_faces(b, out->at);
 }
 //<
 

@@ -31,7 +31,7 @@ static void verlet_step_changed(particle *p, int n, vec3 a, real dt_before,
 }
 
 // The first substep of a frame may be longer or shorter than the last one.
-static void fall(const soft_frame *f, const body *b)
+static void fall_particles(const soft_frame *f, const body *b)
 {
     particle *p = f->particle + b->first;
     int n = body_particles(b);
@@ -134,7 +134,7 @@ void soft_move(soft_solver *s, const soft_frame *f)
     for (int n = 0; n < f->softs; n++) {
         const body *x = &f->body[f->soft[n]];
         if (!soft_moves(f, f->soft[n])) continue;
-        fall(f, x);
+        fall_particles(f, x);
         bend_relax(x->shape, x->bending, f->particle + x->first, f->h,
                    s->bends);
         forget_holds(f, x);
@@ -211,7 +211,7 @@ static real compliance_of(const body *b, bool is_held)
 
 // Cloth is solved along its links as they lie now: what a row has done does not
 // turn what a column did.
-static relax_options options_of(const soft_frame *f, const shape *s)
+static relax_options relax_options_of(const soft_frame *f, const shape *s)
 {
     relax_options o = f->relax;
     if (shape_directions(s) < 2) return o;
@@ -220,14 +220,14 @@ static relax_options options_of(const soft_frame *f, const shape *s)
     return o;
 }
 
-static void relax_body(soft_solver *s, const soft_frame *f, const body *b)
+static void relax_soft(soft_solver *s, const soft_frame *f, const body *b)
 {
     const shape *plan = b->shape;
     particle *p = f->particle + b->first;
     line_hold *hold = f->hold + b->first;
     int links = shape_links(plan);
     bool is_held = s->held[b - f->body];
-    relax_options o = options_of(f, plan);
+    relax_options o = relax_options_of(f, plan);
     real give = compliance_of(b, is_held) / (f->h * f->h);
     line_result l = lines_relax(plan, p, f->iterations, o, hold, give, b->line);
     for (int i = 0; i < plan->particles; i++) calm(&p[i], &hold[i]);
@@ -242,7 +242,7 @@ static void relax_body(soft_solver *s, const soft_frame *f, const body *b)
 void soft_relax(soft_solver *s, const soft_frame *f)
 {
     for (int n = 0; n < f->softs; n++)
-        if (soft_moves(f, f->soft[n])) relax_body(s, f, &f->body[f->soft[n]]);
+        if (soft_moves(f, f->soft[n])) relax_soft(s, f, &f->body[f->soft[n]]);
 }
 //<
 
@@ -298,7 +298,7 @@ int soft_stretched(const soft_frame *f)
 // fastest, and as gravity adds, and a quarter of a spacing for impacts.
 static const real QUARTER = 4;              // tuned, per spacing
 
-static prediction predict(const soft_frame *f, int b)
+static prediction predict_soft(const soft_frame *f, int b)
 {
     const body *x = &f->body[b];
     const particle *p = f->particle + x->first;
@@ -322,13 +322,13 @@ static prediction predict(const soft_frame *f, int b)
 }
 
 // Every change of their number jolts a cloth: it rises at once, and falls when
-// it has been too high for PATIENCE frames.
-enum { PATIENCE = 3 };                      // tuned, frames
+// it has been too high for SOFT_PATIENCE frames.
+enum { SOFT_PATIENCE = 3 };                      // tuned, frames
 
 static void choose_pace(soft_solver *s)
 {
     s->frames = s->pressed < s->pace ? s->frames + 1 : 0;
-    if (s->pressed > s->pace || s->frames > PATIENCE) s->pace = s->pressed;
+    if (s->pressed > s->pace || s->frames > SOFT_PATIENCE) s->pace = s->pressed;
     s->pressed = 0;
 }
 
@@ -348,14 +348,14 @@ void soft_begin(soft_solver *s, const soft_frame *f)
     s->tested = s->relaxed = 0;
     for (int b = 0; b < f->bodies; b++) {
         bool is_soft = body_is_soft(&f->body[b]);
-        s->ahead[b] = is_soft ? predict(f, b) : f->ahead[b];
+        s->ahead[b] = is_soft ? predict_soft(f, b) : f->ahead[b];
         s->held[b] |= is_soft && is_pinned(f, &f->body[b]);
     }
     near_begin(&s->near, f, s->ahead);
     if (f->certified) certificate_begin(&s->proof, f);
 }
 
-static bool balls_meet(sphere a, sphere b, real margin)
+static bool balls_near(sphere a, sphere b, real margin)
 {
     return vec3_distance(a.center, b.center) <= a.radius + b.radius + margin;
 }
@@ -369,7 +369,7 @@ bool soft_is_clear(soft_solver *s, const soft_frame *f, int a, int b)
 bool soft_may_touch(const soft_solver *s, int a, int b)
 {
     const near_lists *l = &s->near;
-    return balls_meet(l->ball[a], l->ball[b], 2 * l->margin);
+    return balls_near(l->ball[a], l->ball[b], 2 * l->margin);
 }
 
 bool soft_may_meet(const soft_solver *s, int b)
@@ -411,7 +411,7 @@ static int substeps_to_meet(const soft_solver *s, const soft_frame *f, int a,
     const prediction *x = &s->ahead[a], *y = &s->ahead[b];
     const sphere *ball = s->near.ball;
     if (a == b) return substeps_for(f, a, x->turn, 1);
-    if (!balls_meet(ball[a], ball[b], x->reach + y->reach)) return 0;
+    if (!balls_near(ball[a], ball[b], x->reach + y->reach)) return 0;
     if (!soft_meets(f, a, b)) return 0;
     if (body_is_soft(&f->body[b])) return substeps_for(f, a, x->reach, 1);
     bool is_thick = f->body[b].inner > f->body[a].shape->spacing;
@@ -427,7 +427,7 @@ static const real SAG = 0.02;               // tuned, spacings
 // A taut link swings sideways with its ends, and longer substeps than a limit
 // make it swing ever wider: chapter 12.  So the weight of all of a rope, which
 // may hang on its lightest link, moves that by this share of its length at most.
-static const real TAUT = 0.25;              // tuned, lengths
+static const real TAUT_WITHIN = 0.25;              // tuned, lengths
 
 static real lightest_of(const shape *s)
 {
@@ -442,14 +442,14 @@ static int substeps_for_weight(const soft_frame *f, int a)
     const shape *s = x->shape;
     real share = SAG;
     if (s->kind == SHAPE_ROPE)
-        share = real_min(SAG, TAUT * lightest_of(s) / x->mass);
+        share = real_min(SAG, TAUT_WITHIN * lightest_of(s) / x->mass);
     real g = vec3_length(f->gravity);
     real need = f->frame * sqrt(g / (share * s->spacing));
     return need < f->most_substeps ? (int)need : f->most_substeps;
 }
 
 // A part of a divided frame takes its share, rounded up.
-static int share_of(const soft_frame *f, int substeps)
+static int share_of_substeps(const soft_frame *f, int substeps)
 {
     real share = f->frame / f->whole * substeps;
     return (int)share + ((int)share < share);
@@ -471,7 +471,7 @@ int soft_substeps(const soft_solver *s, const soft_frame *f)
     for (int k = 0; k < f->softs; k++) {
         int a = f->soft[k];
         int usual = is_stiff(s, f, a) ? f->stiff_substeps : f->substeps;
-        int most = share_of(f, f->substeps + MORE_WHEN_PRESSED);
+        int most = share_of_substeps(f, f->substeps + MORE_WHEN_PRESSED);
         int pressed = (int)real_min(f->frame * s->pace, most);
         if (soft_moves(f, a))
             n = int_max(n, int_max(int_max(usual, pressed),
@@ -485,7 +485,7 @@ int soft_substeps(const soft_solver *s, const soft_frame *f)
 
 //> soft-init
 //>   Memory grows when a body is added, so that no substep needs any.
-static bool make_room(soft_solver *s, const body *b, int bodies, int particles)
+static bool make_soft_room(soft_solver *s, const body *b, int bodies, int particles)
 {
     int room = table_room(bodies, s->bodies);
     int particle_room = table_room(particles, s->particles);
@@ -519,7 +519,7 @@ status soft_add(soft_solver *s, const body *all, int b, int bodies,
     bool is_soft = body_is_soft(&all[b]);
     status done = status_ok();
     if (s->near.softs == 0 && !is_soft) return done;
-    if (!make_room(s, &all[b], bodies, particles))
+    if (!make_soft_room(s, &all[b], bodies, particles))
         return status_out_of_memory();
     for (int i = 0; i < body_particles(&all[b]); i++)
         s->hold[all[b].first + i] = (line_hold){ .state = LINE_FREE };

@@ -18,7 +18,7 @@ typedef struct {
     surface_point at;           // the point of the body's surface
     real apart;                 // m, what is kept between the two
     real friction;
-} touch;
+} soft_touch;
 
 // How that point touches the body.
 typedef struct {
@@ -29,7 +29,7 @@ typedef struct {
                         // substep
 } touch_point;
 
-static touch_point touch_of(const touch *x, const particle *p)
+static touch_point touch_of(const soft_touch *x, const particle *p)
 {
     const soft_frame *f = x->f;
     const motion_basis *basis = &f->now[x->b].basis;
@@ -56,7 +56,7 @@ static real answer(const motion_basis *basis, const particle *p, vec3 arm,
 
 // A part of the overlap is older than this substep: the particle, and the body,
 // stand elsewhere, and have no more speed for that.
-static void correct(const touch *x, particle *p, vec3 arm, vec3 push)
+static void correct(const soft_touch *x, particle *p, vec3 arm, vec3 push)
 {
     p->position = vec3_add_scaled(p->position, p->inverse_mass, push);
     p->previous = vec3_add_scaled(p->previous, p->inverse_mass, push);
@@ -65,7 +65,7 @@ static void correct(const touch *x, particle *p, vec3 arm, vec3 push)
 }
 
 // A push of 1 kg m in a substep of h is an impulse of 1 / h.
-static void push(const touch *x, particle *p, vec3 arm, vec3 push)
+static void push_particle(const soft_touch *x, particle *p, vec3 arm, vec3 push)
 {
     const soft_frame *f = x->f;
     const motion_basis *basis = &f->now[x->b].basis;
@@ -74,7 +74,7 @@ static void push(const touch *x, particle *p, vec3 arm, vec3 push)
     motion_push(&f->velocity[x->b], basis, arm, vec3_scale(-1 / f->h, push));
 }
 
-static void part_from_moving(const touch *x, particle *p)
+static void part_from_moving(const soft_touch *x, particle *p)
 {
     const motion_basis *basis = &x->f->now[x->b].basis;
     touch_point t = touch_of(x, p);
@@ -84,7 +84,7 @@ static void part_from_moving(const touch *x, particle *p)
     old = real_min(real_max(old, 0), t.overlap);
     correct(x, p, t.arm, vec3_scale(old / give, t.normal));
     real load = (t.overlap - old) / give;
-    push(x, p, t.arm, vec3_scale(load, t.normal));
+    push_particle(x, p, t.arm, vec3_scale(load, t.normal));
 
     // Coulomb: at most so much of the load as takes the sliding back.
     vec3 slide = touch_of(x, p).slide;
@@ -94,14 +94,14 @@ static void part_from_moving(const touch *x, particle *p)
     vec3 across = vec3_scale(1 / length, slide);
     real brake = real_min(x->friction * load,
                           length / answer(basis, p, t.arm, across));
-    push(x, p, t.arm, vec3_scale(-brake, across));
+    push_particle(x, p, t.arm, vec3_scale(-brake, across));
 }
 //<
 
 //> touch-held
 // How straight something fixed holds a particle against the body: 1, straight; 0,
 // not at all.
-static real held_against(const touch *x, int i)
+static real held_against(const soft_touch *x, int i)
 {
     const line_hold *h = &x->f->hold[i];
     if (h->state == LINE_FREE) return 0;
@@ -112,14 +112,14 @@ static real held_against(const touch *x, int i)
 // is pushed against it, the less it answers.  If it answered as a free one, it
 // would be pushed back in every substep, and be a spring, the stiffer the shorter
 // these are.
-static real inverse_of(const touch *x, int i)
+static real inverse_of(const soft_touch *x, int i)
 {
     real against = held_against(x, i);
     return x->f->particle[i].inverse_mass * (1 - against * against);
 }
 
 // And by what the fixed thing has moved it, it has not come nearer.
-static vec3 previous_of(const touch *x, int i)
+static vec3 previous_of(const soft_touch *x, int i)
 {
     const particle *p = &x->f->particle[i];
     real against = held_against(x, i);
@@ -133,7 +133,7 @@ static vec3 previous_of(const touch *x, int i)
 // The point as a particle: it stands in for those that it is a mean of.  A push
 // moves each by its weight and its inverse mass, so the point by the sum of
 // weight^2 times inverse mass.
-static particle stand_in(const touch *x)
+static particle stand_in(const soft_touch *x)
 {
     particle mean = { .inverse_mass = 0 };
     for (int k = 0; k < x->corners; k++) {
@@ -148,7 +148,7 @@ static particle stand_in(const touch *x)
 }
 
 // It was pushed from `before` to `after`, and they with it.
-static void share_out(const touch *x, const particle *before,
+static void share_out(const soft_touch *x, const particle *before,
                       const particle *after)
 {
     vec3 now = vec3_sub(after->position, before->position);
@@ -168,7 +168,7 @@ static void share_out(const touch *x, const particle *before,
 // At that point the cloth as a whole: a particle that weighs what the cloth
 // weighs with what hangs on it, and moves as its centre of mass does; pinned, if
 // any of it is.
-static particle whole_cloth(const touch *x)
+static particle whole_cloth(const soft_touch *x)
 {
     const body *soft = x->soft;
     particle whole = stand_in(x);
@@ -189,7 +189,7 @@ static particle whole_cloth(const touch *x)
 }
 
 // How far that is pushed, the cloth goes.
-static void share_with_all(const touch *x, const particle *before,
+static void share_with_all(const soft_touch *x, const particle *before,
                            const particle *after)
 {
     const body *soft = x->soft;
@@ -208,7 +208,7 @@ static void share_with_all(const touch *x, const particle *before,
 //>   What does not move needs no such care. The particle leaves it, and
 //>   remembers the normal, and whether friction holds it; the strands do the
 //>   rest (chapter 12).
-static vec3 along(vec3 way, vec3 normal)
+static vec3 along_side(vec3 way, vec3 normal)
 {
     return vec3_add_scaled(way, -vec3_dot(way, normal), normal);
 }
@@ -225,28 +225,28 @@ static const real RETURN = 0.1;             // tuned, 1
 
 static vec3 go_back(line_hold *hold, real apart)
 {
-    vec3 crept = along(hold->crept, hold->normal);
+    vec3 crept = along_side(hold->crept, hold->normal);
     vec3 back = at_most(crept, RETURN * apart);
     hold->crept = vec3_sub(crept, back);
     return back;
 }
 
 // How far the strands will let it slide is what they did in the last substep.
-static void slide(particle *p, line_hold *hold, real most, real apart)
+static void slide_particle(particle *p, line_hold *hold, real most, real apart)
 {
     vec3 went = vec3_sub(p->position, p->previous);
-    vec3 would = along(vec3_add(went, hold->pull), hold->normal);
+    vec3 would = along_side(vec3_add(went, hold->pull), hold->normal);
     vec3 back = at_most(would, most);
     hold->state = vec3_length(would) <= most ? LINE_STICKS : LINE_SLIDES;
     if (hold->state == LINE_STICKS)
-        back = vec3_add(along(went, hold->normal), go_back(hold, apart));
+        back = vec3_add(along_side(went, hold->normal), go_back(hold, apart));
     p->position = vec3_sub(p->position, back);
 }
 
 // Every particle bounces for itself, if it strikes fast: it came by `came` (m)
 // in this substep, and goes back by a share of that in the next.
-static bool bounce(const soft_frame *f, particle *p, vec3 normal, real came,
-                   real restitution)
+static bool bounce_off(const soft_frame *f, particle *p, vec3 normal, real came,
+                       real restitution)
 {
     real g = vec3_length(f->gravity);
     if (!(restitution > 0)) return false;
@@ -280,9 +280,9 @@ static bool touch_fixed(const soft_frame *f, int i, surface_point at,
     p->position = vec3_add_scaled(p->position, depth, at.normal);
     bool is_held = hold->state != LINE_FREE;
     hold->normal = at.normal;
-    slide(p, hold, m.friction * pressed, apart);
+    slide_particle(p, hold, m.friction * pressed, apart);
     if (is_held) hold->state = LINE_STICKS;
-    if (bounce(f, p, at.normal, came, m.restitution))
+    if (bounce_off(f, p, at.normal, came, m.restitution))
         hold->state = LINE_FREE;
     return true;
 }
@@ -293,7 +293,7 @@ static bool touch_fixed(const soft_frame *f, int i, surface_point at,
 //>   flat is a thousand impacts; the strands share them out in the same
 //>   substep.
 // Whatever answers at that point: *p.
-static bool push_off(const touch *x, particle *p)
+static bool push_off(const soft_touch *x, particle *p)
 {
     if (body_is_static(&x->f->body[x->b]))
         return surface_separate(p, x->at.at, x->at.normal, x->apart,
@@ -302,7 +302,7 @@ static bool push_off(const touch *x, particle *p)
     return true;
 }
 
-static bool part(const touch *x, answering who)
+static bool part_from(const soft_touch *x, answering who)
 {
     particle before = who == BY_WHOLE ? whole_cloth(x) : stand_in(x);
     particle after = before;
@@ -314,8 +314,8 @@ static bool part(const touch *x, answering who)
 
 // Over a face and nowhere near its rim, when it was listed, a particle is over
 // it while the lists are good.
-static bool nearest(const obstacle *b, vec3 x, const point_pair *pair,
-                    real reach, surface_point *at)
+static bool nearest_outside(const obstacle *b, vec3 x, const point_pair *pair,
+                            real reach, surface_point *at)
 {
     if (!pair->over) return obstacle_nearest(b, x, pair->ahead, reach, at);
     plane face = b->plane[pair->ahead];
@@ -334,13 +334,13 @@ static bool touch_body(const rigid_view *v, const soft_frame *f,
     bool is_fixed = body_is_fixed(rigid);
     real reach = apart;
     if (is_fixed) reach += vec3_length(f->hold[pair.particle].pull);
-    if (!nearest(&v->hull, p->position, &pair, reach, &at)) return false;
+    if (!nearest_outside(&v->hull, p->position, &pair, reach, &at)) return false;
     if (is_fixed) return touch_fixed(f, pair.particle, at, apart, m);
-    touch x = { f, v, &f->body[pair.soft], body_whole(rigid, pair.rigid), 1,
+    soft_touch x = { f, v, &f->body[pair.soft], body_whole(rigid, pair.rigid), 1,
                 { pair.particle }, { 1 }, at, apart, m.friction };
     if (!(held_against(&x, pair.particle) > 0))
         f->hold[pair.particle].state = LINE_FREE;
-    return part(&x, who);
+    return part_from(&x, who);
 }
 
 // They push one after the other: the first tilt a body that lies on them, the
@@ -424,7 +424,7 @@ static bool part_facet(const rigid_view *v, const soft_frame *f,
                        const facet_pair *pair, const facet_view *seen,
                        const facet_touch *t, real apart, answering who)
 {
-    touch x = { f, v, &f->body[pair->soft],
+    soft_touch x = { f, v, &f->body[pair->soft],
                 body_whole(&f->body[pair->rigid], pair->rigid), FACET,
                 .apart = apart,
                 .friction = soft_material(f, pair->soft,
@@ -438,7 +438,7 @@ static bool part_facet(const rigid_view *v, const soft_frame *f,
     // The point of the surface is so far below that of the facet.
     x.at = t->at;
     x.at.at = vec3_add_scaled(here, -t->gap, t->at.normal);
-    return part(&x, who);
+    return part_from(&x, who);
 }
 
 static bool touch_facet(const near_lists *l, rigid_view *v, const soft_frame *f,

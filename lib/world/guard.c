@@ -58,7 +58,7 @@ static void add_soft_motion(island *of, const world *w, const body *x)
     }
 }
 
-static const rigid_frame *frame_of(const world *w, int b)
+static const rigid_frame *side_frame(const world *w, int b)
 {
     return b < 0 ? &JOINT_WORLD : &w->rigid.now[b].frame;
 }
@@ -80,7 +80,7 @@ static void sum_drives(world *w)
         const joint *j = &w->joints.joint[k];
         island *i = j->is_driven ? rungs_island(w, j->a, j->b) : NULL;
         if (!i || j->is_broken) continue;
-        real place = joint_where(j, frame_of(w, j->a), frame_of(w, j->b));
+        real place = joint_where(j, side_frame(w, j->a), side_frame(w, j->b));
         i->drives += sqrt(actuator_energy(j, place, w->frame));
     }
 }
@@ -192,7 +192,7 @@ void guard_brake(world *w, int lost)
 // A pin on a body that turns by radians in a substep feeds the rope that it
 // holds, without end.  When a particle has gone so far that the spacing of its
 // strand is less than the last digit of the way, nothing is left of the rope.
-static bool is_lost(const body *x, const particle *p)
+static bool is_strand_lost(const body *x, const particle *p)
 {
     real spacing = x->shape->spacing;
     for (int i = 0; i < body_particles(x); i++) {
@@ -210,7 +210,8 @@ void guard_soft(world *w)
         int b = w->rigid.awake[k];
         const body *x = &w->body[b];
         particle *p = w->pool.at + x->first;
-        if (!body_is_soft(x) || !body_moves(w, b) || !is_lost(x, p)) continue;
+        if (!body_is_soft(x) || !body_moves(w, b) || !is_strand_lost(x, p))
+            continue;
         for (int i = 0; i < body_particles(x); i++)
             p[i].position = p[i].previous;
         sleep_forget(&w->sleep, b);
@@ -307,7 +308,7 @@ typedef struct {
     int  face;          // through which it goes in; -1: through none
     real in, out;       // shares of the line
     int  exit;          // the face through which it goes out; -1: it stays
-} passage;
+} line_passage;
 
 // Out of the body, whose centre is 0.  (In coordinates of a frame, too: what is
 // on which side of a plane, and where a line meets it, is no question of
@@ -320,17 +321,17 @@ static vec3 out_of_face(const vec3 *local, const int *v)
 }
 
 // A line is in a convex body behind all of its faces.
-static passage find_passage(const cache_body *b, vec3 from, vec3 to)
+static line_passage find_passage(const cache_body *b, vec3 from, vec3 to)
 {
     const vec3 *local = b->rigid->local;
-    passage x = { -1, 0, 1, -1 };
+    line_passage x = { -1, 0, 1, -1 };
     for (int f = 0; f < b->shape->mesh.faces; f++) {
         const int *v = &b->shape->face[3 * f];
         vec3 n = out_of_face(local, v);
         real start = vec3_dot(n, vec3_sub(from, local[v[0]]));
         real end = vec3_dot(n, vec3_sub(to, local[v[0]]));
         real share = start / (start - end);
-        if (start > 0 && !(end < 0)) return (passage){ .face = -1 };
+        if (start > 0 && !(end < 0)) return (line_passage){ .face = -1 };
         if (start > 0 && share >= x.in) { x.face = f; x.in = share; }
         if (!(start > 0) && end > 0 && share < x.out) {
             x.exit = f;
@@ -346,7 +347,7 @@ static passage find_passage(const cache_body *b, vec3 from, vec3 to)
 // however flat it is: what goes through it has cut none.
 static const real CUTS = 0.45;              // tuned, 1
 
-static bool cuts_corner(const cache_body *b, const passage *x)
+static bool cuts_corner(const cache_body *b, const line_passage *x)
 {
     const int *face = b->shape->face;
     if (x->exit < 0) return false;
@@ -415,8 +416,8 @@ static void stop_passing(rigid_tables *t, int small, int large)
     vec3 to = t->now[small].frame.center;
     vec3 from = frame_local(began, vec3_sub(t->began[small].center,
                                             began->center));
-    passage x = find_passage(&t->body[large], from,
-                             frame_local(end, vec3_sub(to, end->center)));
+    line_passage x = find_passage(&t->body[large], from,
+                                  frame_local(end, vec3_sub(to, end->center)));
     if (x.face < 0 || cuts_corner(&t->body[large], &x)) return;
     lost_side s = side_of(t, large, x.face, end, from, to,
                           t->body[small].inner);

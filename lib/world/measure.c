@@ -135,7 +135,7 @@ static void measure_pair(const world *w, const sight *s, int a, int b,
 
 //> measure-look
 //>   The whole of it: overlaps, strains and motion.
-static sphere ball_around(const vec3 *at, int n)
+static sphere ball_of_points(const vec3 *at, int n)
 {
     sphere s = { { 0, 0, 0 }, 0 };
     real most = 0;
@@ -173,7 +173,7 @@ static bool sight_make(const world *w, sight *s)
         int n = w->body[b].shape->particles;
         s->first[b] = next;
         world_vertices(w, &w->body[b], s->at + next);
-        s->ball[b] = ball_around(s->at + next, n);
+        s->ball[b] = ball_of_points(s->at + next, n);
         s->ball[b].radius += w->body[b].shape->round;
         next += n;
     }

@@ -149,7 +149,7 @@ static bool is_fast(const world *w, int b, int on)
     return t->moves[b] && way > t->body[b].inner;
 }
 
-static void judge(const world *w, island *i, int b, int on)
+static void judge_island(const world *w, island *i, int b, int on)
 {
     i->is_calm &= is_calm(w, b, on);
     i->is_fast |= is_fast(w, b, on);
@@ -252,7 +252,7 @@ static void ask_bodies(world *w)
     for (int k = 0; k < t->awakes; k++) {
         int b = t->awake[k], of = island_root(t->island, b);
         const island *i = &t->island[of];
-        judge(w, &t->island[of], b, i->rests ? -1 : i->ground);
+        judge_island(w, &t->island[of], b, i->rests ? -1 : i->ground);
         if (t->moves[b]) add_layer(t, b, down, &t->island[of]);
         if (t->moves[b]) add_pull(w, b, &t->island[of]);
         if (b != of) add_choice(t, b, &t->choice[of]);
@@ -282,7 +282,7 @@ static void ask_contacts(world *w)
         i->weight = real_max(i->weight, weight_on(t, x));
         i->squares += borne * borne;
         i->bears += borne > 0;
-        if (x->sides == DRIVEN_SIDED) judge(w, i, x->a, x->b);
+        if (x->sides == DRIVEN_SIDED) judge_island(w, i, x->a, x->b);
         if (x->sides == DRIVEN_SIDED) i->is_fast |= rungs_sweeps(w, x->a, x->b);
         i->turn = real_max(i->turn, turn_of(w, x->a));
         if (x->sides != ONE_SIDED)

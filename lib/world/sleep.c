@@ -6,7 +6,7 @@
 #include <assert.h>
 #include <stdlib.h>
 
-static bool make_room(sleep_state *s, int room, int particles)
+static bool make_sleep_room(sleep_state *s, int room, int particles)
 {
     bool ok = true;
     if (room > s->room || !s->parent) {
@@ -27,8 +27,8 @@ static bool make_room(sleep_state *s, int room, int particles)
 status sleep_grow(sleep_state *s, int bodies, int particles)
 {
     assert(bodies >= 0 && particles >= 0);
-    if (!make_room(s, table_room(bodies, s->room),
-                   table_room(particles, s->particle_room)))
+    if (!make_sleep_room(s, table_room(bodies, s->room),
+                         table_room(particles, s->particle_room)))
         return status_out_of_memory();
     s->bodies = int_max(s->bodies, bodies);
     s->particles = int_max(s->particles, particles);
@@ -134,7 +134,7 @@ static sleep_limits limits_of(const sleep_rule *rule, real radius)
 //> sleep-observe
 //>   Each frame adds what the body has done to its windows.
 // The largest distance (m) of n particles from where they were.
-static real furthest(const particle *p, const vec3 *from, int n)
+static real furthest_gone(const particle *p, const vec3 *from, int n)
 {
     real most = 0;
     for (int i = 0; i < n; i++) {
@@ -157,7 +157,7 @@ static bool are_slow(const particle *p, int n, real far)
 // In the window that ends now it stood, or went no further than in the one before;
 // or the body is not still.  The first such window counts for two halves, each one
 // after that for another half.
-static void judge(sleep_watch *watch, int k, const sleep_limits *l)
+static void judge_watch(sleep_watch *watch, int k, const sleep_limits *l)
 {
     const sleep_window *w = &watch->window[k];
     bool is_still = watch->stood[k] || w->way <= w->before + l->noise;
@@ -173,7 +173,7 @@ static void next_half(sleep_state *s, int b, const particle *pool, int first,
     sleep_watch *watch = &s->watch[b];
     int k = watch->halves % WINDOWS;
     sleep_window *w = &watch->window[k];
-    if (watch->halves >= WINDOWS) judge(watch, k, l);
+    if (watch->halves >= WINDOWS) judge_watch(watch, k, l);
     w->before = watch->halves >= WINDOWS ? w->way : -HUGE_VAL;
     w->way = 0;
     watch->stood[k] = true;
@@ -186,8 +186,9 @@ static void next_half(sleep_state *s, int b, const particle *pool, int first,
 // Notes how far each window has seen it go.  A window in which it has gone too
 // far already needs no more looks.  What stands may go as far as jitter takes it:
 // it sways, and comes back.
-static void look(sleep_state *s, int b, const particle *pool, int first, int n,
-                 const sleep_limits *l)
+static void look_at_windows_of(sleep_state *s, int b, const particle *pool,
+                               int first, int n,
+                               const sleep_limits *l)
 {
     sleep_watch *watch = &s->watch[b];
     for (int k = 0; k < int_min(watch->halves, WINDOWS); k++) {
@@ -195,7 +196,7 @@ static void look(sleep_state *s, int b, const particle *pool, int first, int n,
         watch->stood[k] &= watch->stands;
         real most = watch->stood[k] ? JITTER * l->way : l->way;
         if (w->way <= most)
-            w->way = real_max(furthest(pool + first, s->start[k] + first, n),
+            w->way = real_max(furthest_gone(pool + first, s->start[k] + first, n),
                               w->way);
         if (w->way > most) watch->is_moving = true;
     }
@@ -214,7 +215,7 @@ void sleep_observe(sleep_state *s, int b, const particle *pool, int first,
         return;
     }
     watch->is_moving = !are_slow(pool + first, n, l.speed * rule->h);
-    look(s, b, pool, first, n, &l);
+    look_at_windows_of(s, b, pool, first, n, &l);
     if (watch->halves == 0 || ++watch->frames >= l.frames)
         next_half(s, b, pool, first, n, &l);
     if (watch->is_moving) watch->still = 0;

@@ -66,7 +66,7 @@ static void cache_store(contact_cache *x, store *s)
 }
 
 // Blocks outlive a frame if its contacts do.
-static void block_store(contact_solver *s, store *to)
+static void solver_blocks_store(contact_solver *s, store *to)
 {
     int starts = s->blocks > 0 ? s->blocks + 1 : 0;
     STORE_TABLE(to, s->start, starts, s->start_capacity);
@@ -92,7 +92,7 @@ static void contact_solver_store(contact_solver *s, store *to)
     STORE_ROOM(to, s->taken, s->room);
     STORE_ROOM(to, s->first_of, s->room);
     STORE_ROOM(to, s->next_of, s->side_capacity);
-    block_store(s, to);
+    solver_blocks_store(s, to);
 }
 //<
 
@@ -314,7 +314,7 @@ static void rigid_store(rigid_tables *t, int bodies, int room, store *s)
 }
 
 // As if it had moved: the next frame looks where it is.
-static void look_again(world *w)
+static void notice_all(world *w)
 {
     for (int b = 0; b < w->bodies; b++) {
         w->rigid.moves[b] = !body_is_soft(&w->body[b]);
@@ -338,6 +338,6 @@ void world_store(world *w, store *s)
     linkage_store(&w->joints, s);
     soft_store(&w->soft, s);
     sleep_store(&w->sleep, s);
-    if (s->is_reading && s->done.ok) look_again(w);
+    if (s->is_reading && s->done.ok) notice_all(w);
 }
 //<

@@ -24,9 +24,9 @@ static void look_at_bodies(world *w);
 static void drop_sleepers(world *w);
 static void look_around(world *w);
 static void find_pairs(world *w);
-static void find_contacts(world *w);
+static void find_manifolds(world *w);
 static int look_at_contacts(world *w, const solver_frame *f);
-static solver_frame frame_of(const world *w, int substeps);
+static solver_frame solver_frame_of(const world *w, int substeps);
 static solver_frame prepare(world *w, const rung *r);
 static void substep(world *w, const solver_frame *f, real *since);
 static void redo(world *w, solver_frame *f, real times, const ledger_page *p);
@@ -45,7 +45,7 @@ static void find(world *w, real seconds, real *since)
     find_pairs(w);
     ledger_book(w, LEDGER_SLEEP);
     lap(w, PHASE_PAIRS, since);
-    find_contacts(w);
+    find_manifolds(w);
     drop_sleepers(w);
     lap(w, PHASE_CONTACTS, since);
 }
@@ -130,9 +130,9 @@ static void climb_rungs(world *w, int rungs, real *since)
 }
 
 // The impulses that part it, and where they take everything.
-static void solve(world *w, real *since)
+static void solve_frame(world *w, real *since)
 {
-    solver_frame f = frame_of(w, 1);
+    solver_frame f = solver_frame_of(w, 1);
     int rungs = look_at_contacts(w, &f);
     guard_begin(w, &f);
     climb_rungs(w, rungs, since);
@@ -198,7 +198,7 @@ void world_step(world *w)
     int parts = parts_of(w);
     for (int k = 0; k < parts; k++) {
         if (parts > 1) find(w, dt / parts, &since);
-        solve(w, &since);
+        solve_frame(w, &since);
     }
     fall_asleep(w);
     world_forget_loads(w);
@@ -470,7 +470,7 @@ static void find_pairs(world *w)
 
 //> step-contacts
 //>   The cache is lent the bodies, and gives back the contacts of the frame.
-static void find_contacts(world *w)
+static void find_manifolds(world *w)
 {
     rigid_tables *t = &w->rigid;
     cache_frame f = ahead_frame(w);
@@ -493,7 +493,7 @@ static void find_contacts(world *w)
 static const real DAMPING = 10;             // tuned, 1
 static const real MAX_SPEED = 3;            // tuned, m/s
 
-static solver_frame frame_of(const world *w, int substeps)
+static solver_frame solver_frame_of(const world *w, int substeps)
 {
     const world_options *o = &w->options;
     real h = w->frame / substeps;
@@ -539,7 +539,7 @@ static int look_at_contacts(world *w, const solver_frame *f)
 static solver_frame prepare(world *w, const rung *r)
 {
     contact_solver *s = &w->rigid.solver;
-    solver_frame f = frame_of(w, r->substeps);
+    solver_frame f = solver_frame_of(w, r->substeps);
     w->rigid.elapsed = 0;
     solver_take(s, r->first_contact, r->end_contact);
     if (!solver_prepare(s, &f, contact_table(w)))
@@ -700,7 +700,7 @@ static bool stands(const world *w, const active_contact *x, const contact *c,
 static void find_standing(world *w)
 {
     const contact_solver *s = &w->rigid.solver;
-    solver_frame f = frame_of(w, 1);
+    solver_frame f = solver_frame_of(w, 1);
     for (int k = 0; k < s->contacts; k++) {
         const active_contact *x = &s->active[k];
         if (x->load > 0 && x->lift > 0

@@ -1,6 +1,6 @@
 //> step-head
 //>   The function to read is `world_step`, with the two that it calls: `find` is the
-//>   first three phases of the picture, `solve` the last two.
+//>   first three phases of the picture, `solve_frame` the last two.
 // step.h - one frame: integrate, find, separate, relax.
 //
 // Paper: sections 5 and 6.  Book: chapter 18.

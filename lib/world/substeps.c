@@ -9,12 +9,12 @@
 // eighth of a whole turn in a substep (solver-pass).  A frame takes so many
 // substeps that this is at most GIVES, as a share of the smaller radius.
 static const real GIVES = 0.0035;           // tuned, radii
-static const real EIGHTH = 0.7853981633974483;
+static const real EIGHTH_TURN = 0.7853981633974483;
 
 // For F / m beside the smaller radius, 1/s^2.
 static real substeps_to_bear(const world *w, real pace)
 {
-    return w->options.dt * sqrt(pace / GIVES) / EIGHTH;
+    return w->options.dt * sqrt(pace / GIVES) / EIGHTH_TURN;
 }
 
 // In a pile that is calm, what lies lowest bears one body for each layer above it.

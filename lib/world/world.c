@@ -54,7 +54,7 @@ int world_usual(const world *w, bool is_stiff)
 //> world-check
 //>   Options are checked once, so that no step needs to doubt them.
 // Names the first option that is out of its range (NaN is out of every range).
-static status check_options(const world_options *o)
+static status check_world_options(const world_options *o)
 {
     struct { const char *name; real value, least, most; } rule[] = {
         { "dt",            o->dt,              1e-9, 1 },
@@ -93,7 +93,7 @@ status world_init(world *w, world_options options)
     w->options.substeps = world_substeps(&options);
     w->age = options.dt / w->options.substeps;
     w->most_gravity = 1;
-    return check_options(&options);
+    return check_world_options(&options);
 }
 
 // The world's own.
@@ -456,7 +456,7 @@ static bool grow_pool(world *w, int particles)
 }
 
 // For one more body, with so many more particles.
-static status make_room(world *w, int bodies, int particles)
+static status make_world_room(world *w, int bodies, int particles)
 {
     rigid_tables *t = &w->rigid;
     if (!grow_tables(w, bodies) || !grow_pool(w, particles))
@@ -571,7 +571,7 @@ static int find_piece_place(const world *w)
     return w->bodies;
 }
 
-static body body_of(const world *w, int entry, const placement *where)
+static body body_made(const world *w, int entry, const placement *where)
 {
     const shape_entry *e = &w->shape[entry];
     const shape *s = e->shape;
@@ -590,8 +590,8 @@ static status take_place(world *w, int b, body x)
 {
     int n = body_rides(&x) ? 0 : body_particles(&x);
     bool is_new = b == w->bodies;
-    status done = make_room(w, w->bodies + is_new,
-                            w->pool.count + (is_new ? n : 0));
+    status done = make_world_room(w, w->bodies + is_new,
+                                  w->pool.count + (is_new ? n : 0));
     if (!done.ok) return done;
     body was = w->body[b];
     x.first = is_new ? w->pool.count : was.first;
@@ -624,7 +624,7 @@ static status enter_body(world *w, body x, int b)
     return done;
 }
 
-static status add_body(world *w, const shape *s, placement where, bool is_part,
+static status put_body(world *w, const shape *s, placement where, bool is_part,
                        int *number)
 {
     assert(s->particles > 0);
@@ -632,7 +632,7 @@ static status add_body(world *w, const shape *s, placement where, bool is_part,
     status done = placement_check(&where, s, w->bodies);
     if (done.ok) done = enter_shape(w, s, is_part, &entry);
     if (!done.ok) return done;
-    body x = body_of(w, entry, &where);
+    body x = body_made(w, entry, &where);
     int n = body_particles(&x);
     int b = is_part ? find_part_place(w) : find_place(w, n);
     done = enter_body(w, x, b);
@@ -652,7 +652,7 @@ static status add_body(world *w, const shape *s, placement where, bool is_part,
 status world_add(world *w, const shape *s, placement where, int *number)
 {
     int b;
-    status done = add_body(w, s, where, false, &b);
+    status done = put_body(w, s, where, false, &b);
     if (!done.ok) return done;
     if (where.is_static) world_wake_around(w, b);
     if (number) *number = b;
@@ -663,7 +663,7 @@ status world_add_part(world *w, const shape *s, vec3 x, int of, int *number)
 {
     placement where = placement_at(x);
     where.is_static = true;
-    status done = add_body(w, s, where, true, number);
+    status done = put_body(w, s, where, true, number);
     if (!done.ok) return done;
     w->rigid.material[*number] = w->rigid.material[of];
     w->rigid.body[*number].family = w->rigid.body[of].family;
@@ -685,7 +685,7 @@ status world_add_piece(world *w, const shape *s, int of, int *number)
     int entry = 0;
     status done = enter_shape(w, s, true, &entry);
     if (!done.ok) return done;
-    body x = body_of(w, entry, &where), *whole = &w->body[of];
+    body x = body_made(w, entry, &where), *whole = &w->body[of];
     int b = find_piece_place(w), next = whole->next;
     x.rides = of + 1;
     x.round = 0;

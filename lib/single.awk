@@ -4,8 +4,8 @@
 #
 # All headers come first and then all sources, both in the order of the modules;
 # of modules that nothing behind tumble.h includes there is nothing.  Only what
-# tumble.h declares can be seen from outside, for all else is static; and a name
-# that two sources have for themselves gets that of its module, in each of them.
+# tumble.h declares can be seen from outside, for all else is static.  No name may
+# stand in two files: only a macro may, which ends where its file does.
 
 function fail(sentence) { print "single.awk: " sentence > "/dev/stderr"; failed = 1; exit 1 }
 
@@ -27,10 +27,11 @@ file == "passes.h" && /^extern const solver_passes/ { sub(/, passes_wide/, "") }
 file == "passes.h" && /&passes_wide/ { next }
 { text[file, ++length_of[file]] = $0 }
 
-# A name of file `f` that the whole of it may use.
+# A name of file `f` that the whole of it may use.  A source may say again what its
+# header says.
 function has(f, name) {
-    if ((f, name) in own) return
-    own[f, name] = 1; homes[name]++; names[f] = names[f] " " name
+    if (name in home && home[name] != f) fail("\"" name "\" stands in " home[name] " and in " f)
+    home[name] = f
 }
 function last_word(s) { sub(/[^A-Za-z_0-9]*$/, "", s); sub(/.*[^A-Za-z_0-9]/, "", s); return s }
 
@@ -53,11 +54,13 @@ function declares(f, s,    part, n, i, inner) {
 
 # Reads all statements of a file that stand outside of functions.  In a source
 # only those are its own that no header declares.
-function read(f, source,    i, s, all, n, begun) {
+function read(f, source,    i, s, all, n, begun, called) {
     for (i = 1; i <= length_of[f]; i++) {
         s = bare(text[f, i])
-        if (text[f, i] ~ /^#define/) { split(s, part, /[ (]+/); has(f, part[2]); macros[f] = macros[f] " " part[2] }
-        if (s ~ /^#/ || (!begun && (s !~ /^[A-Za-z]/ || s ~ /^[A-Z]+\(.*\)$/))) continue
+        if (text[f, i] ~ /^#define/) { split(s, part, /[ (]+/); macros[f] = macros[f] " " part[2] }
+        if (s ~ /^#/ || (!begun && !called && s !~ /^[A-Za-z]/)) continue
+        if (!begun && s ~ /^[A-Z]+\(/) called = 1          # a macro, to its last ")"
+        if (called) { called = s !~ /\)$/; continue }
         if (!begun) { all = ""; n = 0; begun = 1; starts = i }
         all = all " " s
         n += gsub(/[{]/, "{", s) - gsub(/[}]/, "}", s)
@@ -76,32 +79,9 @@ function read(f, source,    i, s, all, n, begun) {
     }
 }
 
-# The line, with the names of its file that others have as well told apart.
-# What follows a point or an arrow is a member, and so is what is declared as one.
-function told_apart(f, m, line, inside,    out, word, before, after) {
-    out = ""
-    while (match(line, /[A-Za-z_][A-Za-z_0-9]*/)) {
-        before = out substr(line, 1, RSTART - 1); word = substr(line, RSTART, RLENGTH)
-        after = substr(line, RSTART + RLENGTH)
-        if (((f, word) in own) && homes[word] > 1 && before !~ /(\.|->|[0-9])$/ && !(inside && after ~ /^(;|,|\[|\))/ && before !~ /\[[^]]*$/))
-            word = word "_of_" m
-        out = before word; line = after
-    }
-    return out line
-}
-
-function write(f, m, source,    i, line, code, inside, n, part) {
+function write(f, source,    i, n, part) {
     print "\n// --- " f " " substr("--------------------------------------------------------------------", length(f))
-    for (i = 1; i <= length_of[f]; i++) {
-        line = text[f, i]
-        code = line; rest = ""
-        if (match(line, /(^|[ ])\/\//)) { code = substr(line, 1, RSTART - 1); rest = substr(line, RSTART) }
-        if (code ~ /^(typedef )?(struct|union)[^;(]*[{]/) inside = 1
-        if (source && code !~ /^ *#include/) code = told_apart(f, m, code, inside && code !~ /^[}]/)
-        if (code ~ /[}][^{]*;/ ) inside = 0
-        if ((f, i) in hidden) code = "static " code
-        print code rest
-    }
+    for (i = 1; i <= length_of[f]; i++) print ((f, i) in hidden ? "static " : "") text[f, i]
     n = split(source ? macros[f] : "", part)
     for (i = 1; i <= n; i++) print "#undef " part[i]
 }
@@ -151,6 +131,6 @@ END {
     for (pass = 0; pass < 2; pass++)
         for (i = 1; i <= count; i++) {
             m = line_of[i]; f = m (pass ? ".c" : ".h")
-            if (m != "tumble" && (m in wanted) && (f in length_of)) write(f, m, pass)
+            if (m != "tumble" && (m in wanted) && (f in length_of)) write(f, pass)
         }
 }

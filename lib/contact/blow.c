@@ -3,8 +3,6 @@
 //>   ](lib-impact.md)).
 #include "blow.h"
 
-enum { A = IMPACT_A, B = IMPACT_B, BODIES = IMPACT_SIDES };
-
 typedef struct {
     contact_solver *s;
     motion *velocity;

@@ -4,8 +4,6 @@
 
 #include <assert.h>
 
-enum { A = IMPACT_A, B = IMPACT_B };
-
 real impact_parting(const impact_row *r, const motion *velocity)
 {
     real sum = 0;

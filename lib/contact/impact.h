@@ -14,13 +14,14 @@
 //>   A row of the Jacobian. The rows of an impact have K = J M^-1 J^T, whose
 //>   element i, j says how fast a unit impulse along row j parts the bodies of
 //>   row i.
-enum { IMPACT_A, IMPACT_B, IMPACT_SIDES };
+// The two bodies of a contact: a plane is a B that does not move.
+enum { A, B, BODIES };
 
 typedef struct {
     vec3 along;                     // from B to A
-    int  body[IMPACT_SIDES];        // numbers of velocities; B < 0: none
-    real inverse[IMPACT_SIDES];     // 1/kg; 0: it yields to no push
-    real turn[IMPACT_SIDES][TURNS]; // kg^(-1/2)
+    int  body[BODIES];              // numbers of velocities; B < 0: none
+    real inverse[BODIES];           // 1/kg; 0: it yields to no push
+    real turn[BODIES][TURNS];       // kg^(-1/2)
 } impact_row;
 
 // m/s, how fast A and B part along a row; < 0: they close.

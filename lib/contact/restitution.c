@@ -40,9 +40,6 @@ int restitution_solve(const contact *const *table, int n, const solver_frame *f,
 //<
 
 //> restitution-strike
-// The two bodies of a contact, A and B; a plane is a body that does not move.
-enum { A = IMPACT_A, B = IMPACT_B, BODIES = IMPACT_SIDES };
-
 // What touches so much of a substep too late takes part as well.
 static const real LATER = 0.001;            // tuned, substeps
 
@@ -193,15 +190,13 @@ static real closing_speed(const impact *x)
 //<
 
 //> restitution-pair
-static const motion_basis IMMOVABLE = { .inverse_mass = 0 };
-
 // All but the arms, and what touches.
 static void begin_impact(impact *x, const impact_solver *s, const contact *c)
 {
     const solver_frame *f = s->f;
     x->found = c;
     x->pair.basis[A] = &f->body[c->a].basis;
-    x->pair.basis[B] = c->b < 0 ? &IMMOVABLE : &f->body[c->b].basis;
+    x->pair.basis[B] = c->b < 0 ? &MOTION_IMMOVABLE : &f->body[c->b].basis;
     x->u[A] = s->velocity[c->a];
     if (c->b < 0) x->u[B] = (motion){ { 0 } };
     else          x->u[B] = s->velocity[c->b];

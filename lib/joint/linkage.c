@@ -156,11 +156,9 @@ bool linkage_keeps_apart(const linkage *l, int a, int b)
 //> linkage-sides
 //>   Where do bodies stand now, and where will they be at the end of the
 //>   substep? Where they freely come with the velocity that they have by now.
-static const motion_basis IMMOVABLE = { .inverse_mass = 0 };
-
 static const motion_basis *basis_of(const solver_frame *f, int b)
 {
-    return b < 0 ? &IMMOVABLE : &f->body[b].basis;
+    return b < 0 ? &MOTION_IMMOVABLE : &f->body[b].basis;
 }
 
 static bool moves(const solver_frame *f, int b)

@@ -6,6 +6,8 @@
 #include <math.h>
 #include <string.h>
 
+const motion_basis MOTION_IMMOVABLE = { .inverse_mass = 0 };
+
 motion_basis basis_find(const rigid4 *f, const rigid_frame *frame)
 {
     motion_basis b = { .inverse_mass = 1 / (FOUR * f->mass) };

@@ -25,6 +25,8 @@ typedef struct {
     vec3 turn[TURNS];   // rad kg^(-1/2) / m: axis and angle, for a turn of 1
 } motion_basis;
 
+extern const motion_basis MOTION_IMMOVABLE;
+
 // A velocity (m/s, and kg^(1/2) m/s), or a displacement (m, and kg^(1/2) m).
 // Its address is a multiple of 16 bytes, as real4_gather2 needs it.  Memory of
 // malloc has that, so a struct that holds one may come from anywhere.  Its size

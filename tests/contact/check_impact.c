@@ -10,26 +10,26 @@
 #include "suite.h"
 
 // The last body is driven: nothing pushes it.
-enum { BODIES = 5, DRIVEN = BODIES - 1, MOST = 10 };
+enum { EACH = 5, DRIVEN = EACH - 1, MOST = 10 };
 
 static unsigned long long seed;
 static impact_set set;
 static impact_row row[IMPACT_ROWS];
-static motion velocity[BODIES];
+static motion velocity[EACH];
 static int rows;
 
-static impact_row any_row(const real inverse[BODIES], bool is_pulled)
+static impact_row any_row(const real inverse[EACH], bool is_pulled)
 {
     impact_row r = { .along = random_direction(&seed) };
-    r.body[IMPACT_A] = random_below(&seed, DRIVEN);
-    r.body[IMPACT_B] = random_below(&seed, BODIES);
-    if (r.body[IMPACT_B] == r.body[IMPACT_A]) r.body[IMPACT_B] = DRIVEN;
-    for (int side = IMPACT_A; side < IMPACT_SIDES; side++) {
+    r.body[A] = random_below(&seed, DRIVEN);
+    r.body[B] = random_below(&seed, EACH);
+    if (r.body[B] == r.body[A]) r.body[B] = DRIVEN;
+    for (int side = A; side < BODIES; side++) {
         r.inverse[side] = inverse[r.body[side]];
         for (int t = 0; t < TURNS && r.body[side] != DRIVEN; t++)
             r.turn[side][t] = sqrt(r.inverse[side]) * random_real(&seed);
     }
-    if (r.body[IMPACT_B] == DRIVEN && !is_pulled) r.body[IMPACT_B] = -1;
+    if (r.body[B] == DRIVEN && !is_pulled) r.body[B] = -1;
     return r;
 }
 
@@ -38,8 +38,8 @@ static impact_row any_row(const real inverse[BODIES], bool is_pulled)
 static void any_rows(int n)
 {
     bool is_pulled = random_below(&seed, 2);
-    real inverse[BODIES] = { 0 };
-    for (int b = 0; b < BODIES; b++) {
+    real inverse[EACH] = { 0 };
+    for (int b = 0; b < EACH; b++) {
         velocity[b] = (motion){ { 0 } };
         if (b < DRIVEN) inverse[b] = exp(random_real(&seed));
         for (int i = 0; i < (b < DRIVEN ? MOTIONS : MOTION_TURN); i++)
@@ -60,7 +60,7 @@ static void add_rows(int first, int end)
 }
 
 // The oracle: projected Gauss-Seidel, until nothing changes.
-static bool sweep_rows(motion u[BODIES])
+static bool sweep_rows(motion u[EACH])
 {
     real impulse[IMPACT_ROWS] = { 0 };
     for (long n = 0; n < 1000000; n++) {
@@ -78,9 +78,9 @@ static bool sweep_rows(motion u[BODIES])
     return false;
 }
 
-static void expect_velocities(const motion wanted[BODIES], int round)
+static void expect_velocities(const motion wanted[EACH], int round)
 {
-    for (int b = 0; b < BODIES; b++)
+    for (int b = 0; b < EACH; b++)
         for (int i = 0; i < MOTIONS; i++)
             ck_assert_msg(fabs(velocity[b].of[i] - wanted[b].of[i]) < 1e-6,
                           "round %d, %d rows, body %d: %g, swept %g", round, rows,
@@ -95,7 +95,7 @@ START_TEST(what_is_stopped_at_once_is_what_sweeps_end_with)
     int swept = 0, pushed = 0;
     seed = 21;
     for (int round = 0; round < 3000; round++) {
-        motion wanted[BODIES];
+        motion wanted[EACH];
         any_rows(1 + random_below(&seed, MOST));
         memcpy(wanted, velocity, sizeof wanted);
         impact_begin(&set);
@@ -118,7 +118,7 @@ START_TEST(rows_that_come_later_end_as_if_all_had_come_at_once)
 {
     seed = 22;
     for (int round = 0; round < 3000; round++) {
-        motion began[BODIES], wanted[BODIES];
+        motion began[EACH], wanted[EACH];
         any_rows(2 + random_below(&seed, MOST));
         memcpy(began, velocity, sizeof began);
         impact_begin(&set);

@@ -814,7 +814,7 @@ static bool has_worked(const line_block *b, real tolerance)
     }
     return !is_line_lost(b, 0)
         && worst <= fmax(fmax(tolerance, LINE_ROUNDING) * rest2,
-                                                WORKED * b->first);
+                         WORKED * b->first);
 }
 
 // Stores the lanes that are solved.

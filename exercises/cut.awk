@@ -5,7 +5,9 @@
 #
 # A function of lib/ opens and closes with a brace alone in the first column, and
 # its comment and its head stand right above, with no blank line between.  An
-# emptied function keeps both; a removed one goes with them.
+# emptied function keeps both; a removed one goes with them.  Of an exercise that
+# goes on (-v derived=1) the comment derives the answer, and the header says what
+# is asked: there only a static function, which no header has, keeps its comment.
 
 function fail(why)
 {
@@ -22,6 +24,14 @@ function say(line)
 function say_held(last,    i)
 {
     for (i = 1; i <= last; i++) say(held[i])
+}
+
+# The head alone, where the comment would tell the answer.
+function say_asked(    i)
+{
+    for (i = 1; held[i] ~ /^\/\//; i++) continue
+    if (!derived || held[i] ~ /^static/) i = 1
+    for (; i <= brace; i++) say(held[i])
 }
 
 # Sets name and type from the head, the lines between the comment and the brace.
@@ -56,7 +66,7 @@ function block_ends()
         say_held(count)
         say("")
     } else if (task[name] == "empty") {
-        say_held(brace)
+        say_asked()
         say("    // Yours to write.")
         say_nothing()
         say("}")

@@ -89,7 +89,7 @@ alone() {
 leave_it() { rm -f "$1/busy"; }
 
 # stub SOURCE: the source with the reader's functions emptied.
-stub() { awk -v empty="$empty" -v remove="$remove" -f exercises/cut.awk "$1"; }
+stub() { awk -v empty="$empty" -v remove="$remove" -v derived="${after:+1}" -f exercises/cut.awk "$1"; }
 
 # What the reader's object is linked with: the line to the left of it, as it is
 # built anyway, and the tests with what they include, which have the sanitizers;

@@ -43,7 +43,7 @@ function testsOf(source) {
 }
 
 const cut = (task, source, show) => execFileSync('awk', ['-v', `empty=${task.empty?.join(' ') ?? ''}`, '-v', `remove=${task.remove?.join(' ') ?? ''}`,
-  '-v', `show=${show ? 1 : ''}`, '-f', 'exercises/cut.awk', source], { encoding: 'utf8' });
+  '-v', `show=${show ? 1 : ''}`, '-v', `derived=${task.after ? 1 : ''}`, '-f', 'exercises/cut.awk', source], { encoding: 'utf8' });
 
 function hintsOf(file) {
   return text(file).split(/^\d+\. /m).slice(1).map(hint => hint.replace(/\s*\n\s*/g, ' ').trim());

@@ -14,13 +14,15 @@ typedef struct {
 } sheet;
 
 // The colours of bodies: by their ids, so that a body keeps its own, and shifted
-// in each row of six, so that walls show their bricks; what does not move is
-// grey.
+// in each row of six, so that walls show their bricks; what never moves is
+// grey, and what is driven like slate.
 static colour colour_of(const tumble_world *w, tumble_body b)
 {
     static const unsigned tone[] = { 0x0072b2, 0xd55e00, 0x009e73, 0xe69f00,
                                      0xcc79a7, 0x56b4e9 };
-    if (tumble_body_mass(w, b) == 0) return colour_hex(0xb8bcc2);
+    tumble_kind kind = tumble_body_get_options(w, b).kind;
+    if (kind == TUMBLE_STATIC)    return colour_hex(0xb8bcc2);
+    if (kind == TUMBLE_KINEMATIC) return colour_hex(0x7e95b5);
     return colour_hex(tone[(b.place + b.place / 6) % 6]);
 }
 

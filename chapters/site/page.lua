@@ -305,10 +305,13 @@ local function figure_of(image)
   end
   -- By itself it can be looked at as large as it is.
   if not whole and folder ~= 'live' and not still then picture = pandoc.Link({ picture }, shown) end
-  return {
+  local out = pandoc.List({
     block('<figure id="' .. (small and 'see-' .. seen .. '-' or 'figure-') .. name .. '"' .. data .. '>'), pandoc.Plain({ picture }),
-    block('<figcaption>' .. caption .. '</figcaption></figure>'),
-  }
+  })
+  -- What an EPUB's caption links to is in another of its files: pandoc knows in which.
+  if FORMAT:match('^epub') then out:extend({ block('<figcaption>'), pandoc.Plain(image.caption), block('</figcaption></figure>') })
+  else out:insert(block('<figcaption>' .. caption .. '</figcaption></figure>')) end
+  return out
 end
 
 -- The link that stands alone over a piece of code or a table; over pieces of the

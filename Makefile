@@ -105,6 +105,7 @@ define ORDER
 19/tumble_joints
 19/tumble_steer
 19/tumble_ask
+19/tumble_walk
 19/tumble_contacts
 19/tumble_hear
 19/tumble_draw

@@ -699,6 +699,51 @@ bool tumble_world_nearest_soft(const tumble_world *w, tumble_vec3 x,
                                double most, unsigned mask, tumble_hit *hit);
 //<
 
+//> tumble-walk
+//>   A character is no body: it is a capsule that asks what is in its way, and goes
+//>   where it can.
+// --- Characters --------------------------------------------------------------
+// A capsule that stays upright and walks.  It keeps a hundred-thousandth of its
+// radius away from all that is in its way, and pushes nothing.
+typedef struct {
+    double length, radius;  // m, as tumble_shape_capsule has them
+    tumble_vec3 up;         // of any length > 0
+    double step;            // m, the highest step that it climbs or goes down, 0 or
+                            // more; it stands on an edge no higher above its foot
+    double slope;           // rad, the steepest ground that it stands on, 0 to less
+                            // than pi / 2
+    unsigned mask;          // groups that are in its way (a body that stands for it
+                            // must be in none of them)
+} tumble_walker;
+
+// Upright along y; it climbs steps as high as its radius and slopes of pi / 4, and
+// everything is in its way.
+tumble_walker tumble_walker_capsule(double length, double radius);
+
+// Where it is; all but the position may be zeros at first.
+typedef struct {
+    tumble_vec3 position;   // m, of its middle
+    tumble_body ground;     // what it stands on; of planes tumble_body_ground()
+    tumble_vec3 point;      // m, where that is next to it, in the world and
+    tumble_vec3 foot;       // as the ground's pose has it
+    tumble_vec3 normal;     // unit, out of the ground; of an edge it leans
+    tumble_vec3 velocity;   // m/s, of the ground at that point
+    bool stands;            // a program that jumps makes it false
+} tumble_walk;
+
+// From there it goes by `way` (m), and comes `to` where it can.
+// What has come into it since pushes it out.  While it stands, it is carried by what
+// its ground has moved and turned since, goes by the level part of the way, as long as
+// on a map, over steps and down them, and only where the ground is too far below, or
+// too steep, by the rest of the way.  In the air all of the way counts; where it leads
+// down to ground that is not too steep, it stands.  Walls turn it along them, and take
+// what leads into them.  The program adds gravity: its velocity times dt is the way, and
+// how far it came, over dt, the velocity to go on with.
+// False, with `to` as it was: numbers of it are not finite, or no character's.
+bool tumble_world_walk(const tumble_world *w, tumble_walker how,
+                       tumble_walk from, tumble_vec3 way, tumble_walk *to);
+//<
+
 //> tumble-contacts
 //>   A game wants to know what touches, and above all what has *begun* to
 //>   touch.

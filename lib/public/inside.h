@@ -10,6 +10,7 @@
 #ifndef TUMBLE_INSIDE_H
 #define TUMBLE_INSIDE_H
 
+#include "cast.h"
 #include "slots.h"
 #include "step.h"
 #include "store.h"
@@ -175,6 +176,14 @@ tumble_contact inside_contact(const tumble_world *w, const contact *c,
 
 // Gives back the ids of joints that broke, or went with a body.
 void inside_forget_joints(tumble_world *w);
+
+// What does a thing meet first that goes straight by `way` (m) without turning?
+bool inside_sweep(const tumble_world *w, rounded thing, vec3 way, unsigned mask,
+                  tumble_hit *hit);
+// What is nearest to it, within `most` (m, > 0), or overlaps it?  fraction is the
+// gap (m, < 0: overlap), and the normal leads the thing out.
+bool inside_near(const tumble_world *w, rounded thing, real most, unsigned mask,
+                 tumble_hit *hit);
 
 // Position and axes of p become those of the pose.
 void inside_place(placement *p, tumble_pose pose);

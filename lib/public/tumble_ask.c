@@ -338,6 +338,35 @@ bool tumble_world_sweep(const tumble_world *w, tumble_shape s, tumble_pose pose,
 }
 //<
 
+//> face-ask-inside
+//>   A character (`tumble_walk.c`) is a capsule that no shape stands for.
+bool inside_sweep(const tumble_world *w, rounded thing, vec3 way, unsigned mask,
+                  tumble_hit *hit)
+{
+    question q = { .thing = thing, .way = way, .around = ball_of_rounded(thing),
+                   .mask = mask, .ask = ask_way, .most = 1 };
+    return first_met(w, &q, hit);
+}
+
+static cast_result ask_gap(const question *q, rounded b, const plane *p,
+                           vec3 *scratch)
+{
+    (void)scratch;
+    cast_result r = p ? cast_gap_plane(q->thing, *p) : cast_gap(q->thing, b);
+    r.hits = r.hits && r.fraction < q->most;
+    return r;
+}
+
+bool inside_near(const tumble_world *w, rounded thing, real most, unsigned mask,
+                 tumble_hit *hit)
+{
+    question q = { .thing = thing, .around = ball_of_rounded(thing), .mask = mask,
+                   .ask = ask_gap, .most = most };
+    q.around.radius += most;
+    return first_met(w, &q, hit);
+}
+//<
+
 //> face-ask-all
 //>   All that a ray meets are asked one by one, and put where they belong among the
 //>   nearest.

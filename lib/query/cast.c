@@ -3,6 +3,7 @@
 //>   nearest point of B lies on its hull, and the surface lies further out
 //>   along the normal, by B's radius.
 #include "cast.h"
+#include "hit_face.h"
 
 #include <math.h>
 #include <stddef.h>
@@ -213,5 +214,40 @@ bool cast_overlaps(rounded a, rounded b)
         return false;
     hull_mesh in_a = hull_bare(a.core), in_b = hull_bare(b.core);
     return !search_apart(&in_a, &in_b, apart, &none);
+}
+//<
+
+//> cast-gap
+//>   And how far two are apart, or how deep one is in the other.
+static cast_result gap_of_hulls(rounded a, rounded b)
+{
+    gjk_result g = gjk_distance(a.core, b.core, HUGE_VAL, NULL);
+    if (g.status == GJK_NOT_FINITE) return (cast_result){ .hits = false };
+    if (g.status != GJK_OVERLAP)
+        return (cast_result){ true, g.distance, g.on_b, unit(g.axis) };
+    hit_result h = hit_face_find(a.core, b.core, &g.last);
+    if (h.status == HIT_NOT_FINITE) return (cast_result){ .hits = false };
+    return (cast_result){ true, -h.depth, h.on_b, h.normal };
+}
+
+cast_result cast_gap(rounded a, rounded b)
+{
+    cast_result r = gap_of_hulls(a, b);
+    r.fraction -= a.round + b.round;
+    r.point = vec3_add_scaled(r.point, b.round, r.normal);
+    return r;
+}
+
+cast_result cast_gap_plane(rounded a, plane p)
+{
+    real lowest = HUGE_VAL;
+    vec3 at = a.core.at[0];
+    for (int k = 0; k < a.core.count; k++) {
+        real height = vec3_dot(a.core.at[k], p.normal) - p.offset;
+        if (height < lowest) at = a.core.at[k];
+        lowest = real_min(lowest, height);
+    }
+    return (cast_result){ lowest < HUGE_VAL, lowest - a.round,
+                          vec3_add_scaled(at, -lowest, p.normal), p.normal };
 }
 //<

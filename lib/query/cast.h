@@ -36,8 +36,8 @@ typedef struct {
 //<
 
 //> cast-declare
-//>   Six questions can be asked: three of them about a moving body, three about
-//>   one that stands still.
+//>   Three questions are about a moving body, and five about one that stands
+//>   still.
 // Where does a, which goes straight by `way` without turning, first touch b?  (What
 // is no point meets the prism of a cylinder.)
 // To 1e-12 of the way and the sizes.  What overlaps at the start is met at 0.
@@ -58,6 +58,11 @@ cast_result cast_nearest_plane(vec3 x, plane p, real most);
 
 // Do they have a point in common?
 bool cast_overlaps(rounded a, rounded b);
+
+// How far apart are the two?  fraction is the gap (m); of what overlaps it is less
+// than 0, and a comes out by so much along the normal.  hits: they are in range.
+cast_result cast_gap(rounded a, rounded b);
+cast_result cast_gap_plane(rounded a, plane p);
 //<
 
 //> cast-end-of-header

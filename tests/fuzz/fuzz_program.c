@@ -207,6 +207,18 @@ static void hold(void)
            + tumble_joint_twist(w, j));
 }
 
+static void walk(tumble_vec3 p, tumble_vec3 way)
+{
+    tumble_walker how = tumble_walker_capsule(number(), number());
+    tumble_walk at = { .position = p, .ground = any_body(), .stands = byte() % 2 };
+    how.step = number();
+    for (int k = 0; k < 3; k++)
+        if (tumble_world_walk(w, how, at, way, &at)) {
+            tumble_vec3 x = at.position;
+            MUST(x.x - x.x == 0 && x.y - x.y == 0 && x.z - x.z == 0, "walk");
+        }
+}
+
 static void look(void)
 {
     tumble_hit h;
@@ -215,7 +227,7 @@ static void look(void)
     tumble_event e[4];
     tumble_vec3 p = triple(), q = triple(), v[4];
     tumble_pose pose = { p, { 0, 0, 0, 1 } };
-    switch (byte() % 6) {
+    switch (byte() % 7) {
     case 0: if (tumble_world_ray(w, p, q, ~0u, &h))
                 MUST(h.fraction >= 0 && h.fraction <= 1, "%g", h.fraction);
             break;
@@ -224,6 +236,7 @@ static void look(void)
     case 3: tumble_world_sweep(w, any_shape(), pose, q, ~0u, &h); break;
     case 4: MUST(tumble_world_contacts(w, c, 4) >= 0, "contacts"); break;
     case 5: MUST(tumble_world_events(w, e, 4) >= 0, "events"); break;
+    case 6: walk(p, q); break;
     }
     MUST(tumble_body_vertices(w, any_body(), v, 4) >= 0, "vertices");
 }

@@ -991,6 +991,8 @@ START_TEST(a_question_about_no_world_has_the_answer_zero)
     NOTHING(tumble_world_ray_all(NONE, ZERO, UP, ~0u, NULL, 0));
     NOTHING(tumble_world_ray_soft(NONE, ZERO, UP, ~0u, NULL));
     NOTHING(tumble_world_nearest_soft(NONE, ZERO, 1, ~0u, NULL));
+    NOTHING(tumble_world_walk(NONE, tumble_walker_capsule(1, 1),
+                              (tumble_walk){ .stands = false }, UP, NULL));
     NOTHING(tumble_world_sweep_turning(NONE, s, POSE, UP, UP, ~0u, NULL));
     NOTHING(tumble_world_contacts(NONE, NULL, 0));
     NOTHING((tumble_world_draw(NONE, &pen), false));

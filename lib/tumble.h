@@ -517,6 +517,13 @@ tumble_vec3 tumble_body_vertex(const tumble_world *w, tumble_body b, int i);
 bool tumble_body_push_vertex(tumble_world *w, tumble_body b, int i,
                              tumble_vec3 impulse);
 
+// m/s, how fast vertex i goes, and to give it a velocity; a pinned one refuses.  The
+// mean of all of them is tumble_body_velocity.
+tumble_vec3 tumble_body_vertex_velocity(const tumble_world *w, tumble_body b,
+                                        int i);
+bool tumble_body_set_vertex_velocity(tumble_world *w, tumble_body b, int i,
+                                     tumble_vec3 velocity);
+
 // Stiffness against bending: N m^2 of a rope, N m of a cloth; 0: none.
 bool tumble_body_set_bending(tumble_world *w, tumble_body b, double stiffness);
 
@@ -629,9 +636,12 @@ double tumble_joint_twist(const tumble_world *w, tumble_joint j);
 // motor and spring).
 double tumble_joint_drive(const tumble_world *w, tumble_joint j);
 // m, how far apart are the points that it holds; N, what it bore in the last
-// substep; a hinge's place, by another name.
+// substep; N m, what it bore then against turning, about its point (of a hinge with
+// its motor, spring and limits; 0 of a ball without a cone, a distance and a stitch); a
+// hinge's place, by another name.
 double tumble_joint_gap(const tumble_world *w, tumble_joint j);
 double tumble_joint_force(const tumble_world *w, tumble_joint j);
+double tumble_joint_torque(const tumble_world *w, tumble_joint j);
 double tumble_joint_angle(const tumble_world *w, tumble_joint j);
 //<
 

@@ -130,6 +130,14 @@ real joint_twist(const joint *j, const rigid_frame *a, const rigid_frame *b)
                     vec3_dot(arrow, turned_by_frame(a, j->axis_a[2])));
 }
 
+real joint_twist_length(const joint *j, const rigid_frame *a,
+                        const rigid_frame *b)
+{
+    vec3 x = turned_by_frame(a, j->axis_a[0]), y = turned_by_frame(b, j->axis_b[0]);
+    real more = 1 + vec3_dot(x, y);
+    return more > 0 ? sqrt(2 / more) : 0;
+}
+
 // What is left until the limits of swing and twist.
 static void cone_errors(const joint *j, const joint_rows *r, const rigid_frame *a,
                         const rigid_frame *b, real e[JOINT_ROWS])

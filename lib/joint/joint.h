@@ -183,6 +183,10 @@ void joint_set_cone(joint *j, const rigid_frame *a, const rigid_frame *b,
 real joint_swing(const joint *j, const rigid_frame *a, const rigid_frame *b);
 real joint_twist(const joint *j, const rigid_frame *a, const rigid_frame *b);
 
+// The row of the twist turns about an axis of this length.
+real joint_twist_length(const joint *j, const rigid_frame *a,
+                        const rigid_frame *b);
+
 // The free way of such a joint in the world: of a hinge or a slider its axis, of a
 // distance the direction from A to B.
 vec3 joint_way(const joint *j, const rigid_frame *a, const rigid_frame *b);

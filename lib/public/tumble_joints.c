@@ -247,6 +247,12 @@ double tumble_joint_force(const tumble_world *w, tumble_joint j)
     return x ? w->world.joints.joint[*x].force : 0;
 }
 
+double tumble_joint_torque(const tumble_world *w, tumble_joint j)
+{
+    const int *x = joint_entry(w, j);
+    return x ? world_joint_torque(&w->world, *x) : 0;
+}
+
 double tumble_joint_gap(const tumble_world *w, tumble_joint j)
 {
     const int *x = joint_entry(w, j);

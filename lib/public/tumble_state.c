@@ -299,6 +299,28 @@ bool tumble_body_push_vertex(tumble_world *w, tumble_body b, int i,
     return true;
 }
 
+tumble_vec3 tumble_body_vertex_velocity(const tumble_world *w, tumble_body b,
+                                        int i)
+{
+    const body_place *x = inside_look(w, b);
+    const tumble_vec3 none = { 0, 0, 0 };
+    if (!x || x->mesh || i < 0) return none;
+    int number = x->piece[0].number;
+    const body *all = &w->world.body[number];
+    if (!body_is_soft(all) || i >= all->shape->particles) return none;
+    return to_user(world_particle_velocity(&w->world, number, i));
+}
+
+bool tumble_body_set_vertex_velocity(tumble_world *w, tumble_body b, int i,
+                                     tumble_vec3 velocity)
+{
+    int number = inside_vertex(w, b, i);
+    if (number < 0 || !inside_is_speed(w, velocity)) return false;
+    return world_set_particle_velocity(&w->world, number, i, from_user(velocity))
+        || inside_fail(w, "vertex %d of body %u is pinned, or the body static: "
+                       "it stays where it is", i, b.place);
+}
+
 bool tumble_body_set_bending(tumble_world *w, tumble_body b, double stiffness)
 {
     int number = inside_vertex(w, b, 0);

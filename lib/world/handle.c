@@ -173,6 +173,33 @@ void world_push_particle(world *w, int b, int i, vec3 impulse)
 }
 //<
 
+//> handle-vertex
+//>   A vertex of a rope or a cloth has a velocity, too. The mean of all of them is
+//>   that of the body.
+vec3 world_particle_velocity(const world *w, int b, int i)
+{
+    assert(b >= 0 && b < w->bodies && body_is_soft(&w->body[b]));
+    assert(i >= 0 && i < body_particles(&w->body[b]));
+    const particle *p = &w->pool.at[w->body[b].first + i];
+    vec3 v = vec3_scale(1 / w->age, vec3_sub(p->position, p->previous));
+    return body_moves(w, b) ? vec3_add(v, since_then(w, b)) : v;
+}
+
+bool world_set_particle_velocity(world *w, int b, int i, vec3 velocity)
+{
+    assert(b >= 0 && b < w->bodies && body_is_soft(&w->body[b]));
+    assert(i >= 0 && i < body_particles(&w->body[b]));
+    assert(vec3_is_finite(velocity));
+    world_wake(w, b);
+    w->is_still = false;
+    particle *p = &w->pool.at[w->body[b].first + i];
+    if (!(p->inverse_mass > 0)) return false;
+    vec3 v = vec3_sub(velocity, since_then(w, b));
+    p->previous = vec3_add_scaled(p->position, -w->age, v);
+    return true;
+}
+//<
+
 //> handle-gravity
 //>   The velocities that particles have are half a substep old, and go on with the
 //>   gravity of the world. Where another takes its place, they go on from what they

@@ -61,6 +61,11 @@ void world_push(world *w, int b, vec3 impulse, vec3 at);
 // feel it.
 void world_push_particle(world *w, int b, int i, vec3 impulse);
 
+// m/s: how fast particle i of a deformable body goes, as world_where says it of
+// bodies; and to give it a velocity.  False: it is pinned.
+vec3 world_particle_velocity(const world *w, int b, int i);
+bool world_set_particle_velocity(world *w, int b, int i, vec3 velocity);
+
 // A force (N) at the centre of mass of a rigid body, and a torque (N m), all
 // through the next step; what is set twice adds up.
 void world_force(world *w, int b, vec3 force, vec3 torque);

@@ -234,6 +234,27 @@ real world_joint_drive(const world *w, int number)
     return joint_at(w, number)->given;
 }
 
+// The last rows are turns about directions that are perpendicular: of a slider the
+// three before its way, of others those behind the three of the point.
+real world_joint_torque(const world *w, int number)
+{
+    const joint *j = joint_at(w, number);
+    bool has_turns = j->kind == JOINT_HINGE || j->kind == JOINT_FIXED
+                  || j->kind == JOINT_SLIDER || j->is_coned;
+    int yields = is_dynamic(w, j->b) ? j->b : j->a;
+    int first = j->kind == JOINT_SLIDER ? 2 : 3;
+    vec3 p = { j->impulse[first], j->impulse[first + 1], j->impulse[first + 2] };
+    if (!has_turns || !is_dynamic(w, yields)) return 0;
+    real seconds = body_age(w, yields);
+    if (j->is_coned) {
+        rigid_frame a = frame_now(w, j->a), b = frame_now(w, j->b);
+        p.y *= joint_twist_length(j, &a, &b);
+    }
+    // A drive's force acts for another time than the substep's.
+    if (j->kind == JOINT_HINGE && j->is_driven) p.z = j->given * seconds;
+    return vec3_length(p) / seconds;
+}
+
 real world_joint_place(const world *w, int number)
 {
     const joint *j = joint_at(w, number);

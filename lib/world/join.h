@@ -60,6 +60,9 @@ real world_joint_speed(const world *w, int number);
 // What motor, spring and limits together gave along that way in the last substep:
 // N m or N; 0 if the joint is not driven.
 real world_joint_drive(const world *w, int number);
+
+// N m, what a joint bore in the last substep against turning, about its point.
+real world_joint_torque(const world *w, int number);
 //<
 
 //> join-declare-inside

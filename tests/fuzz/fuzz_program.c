@@ -159,7 +159,7 @@ static void touch(void)
     bool done = false;
     tumble_vec3 p = triple(), q = triple();
     tumble_pose pose = { p, tumble_quat_turn(q, number()) };
-    switch (byte() % 14) {
+    switch (byte() % 15) {
     case 0:  done = tumble_body_push(w, b, p, q); break;
     case 1:  done = tumble_body_force(w, b, p, q); break;
     case 2:  done = tumble_body_set_pose(w, b, pose); break;
@@ -174,6 +174,7 @@ static void touch(void)
     case 11: done = tumble_body_push_vertex(w, b, few(), p); break;
     case 12: done = tumble_body_set_bending(w, b, p.x); break;
     case 13: done = tumble_body_remove(w, b); break;
+    case 14: done = tumble_body_set_vertex_velocity(w, b, few(), p); break;
     }
     MUST(done || tumble_world_failure(w), "refused in silence");
 }
@@ -202,6 +203,7 @@ static void hold(void)
     }
     MUST(done || tumble_world_failure(w), "refused in silence");
     (void)(tumble_joint_force(w, j) + tumble_joint_gap(w, j)
+           + tumble_joint_torque(w, j)
            + tumble_joint_angle(w, j) + tumble_joint_speed(w, j)
            + tumble_joint_drive(w, j) + tumble_joint_swing(w, j)
            + tumble_joint_twist(w, j));

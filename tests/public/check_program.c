@@ -928,6 +928,7 @@ START_TEST(what_changes_changes_nothing_in_no_world)
     REFUSED(tumble_body_pin(NONE, b, 0));
     REFUSED(tumble_body_unpin(NONE, b, 0));
     REFUSED(tumble_body_push_vertex(NONE, b, 0, UP));
+    REFUSED(tumble_body_set_vertex_velocity(NONE, b, 0, UP));
     REFUSED(tumble_body_set_bending(NONE, b, 0));
     REFUSED(tumble_body_set_stretch(NONE, b, 0));
     REFUSED(tumble_joint_set_limits(NONE, j, 0, 1));
@@ -983,6 +984,7 @@ START_TEST(a_question_about_no_world_has_the_answer_zero)
     NOTHING(tumble_joint_exists(NONE, j));
     NOTHING(tumble_joint_gap(NONE, j) != 0);
     NOTHING(tumble_joint_force(NONE, j) != 0);
+    NOTHING(tumble_joint_torque(NONE, j) != 0);
     NOTHING(tumble_joint_angle(NONE, j) != 0);
     NOTHING(tumble_world_ray(NONE, ZERO, UP, ~0u, NULL));
     NOTHING(tumble_world_nearest(NONE, ZERO, 1, ~0u, NULL));

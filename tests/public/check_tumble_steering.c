@@ -1183,6 +1183,103 @@ START_TEST(a_world_that_is_put_back_does_the_same_again)
 }
 END_TEST
 
+// --- What a joint bears ---------------------------------------------------------
+// A lamp of m kg on an arm to a wall: the weld bears m g, and m g l about its point.
+START_TEST(a_weld_bears_the_torque_of_the_lamp)
+{
+    for (int k = 0; k < 12; k++) {
+        double l = 0.3 + 0.2 * k, turn = 0.5 * k, m = 2;
+        tumble_world *w = tumble_world_make(NULL);
+        tumble_vec3 at = { l * cos(turn), 1, l * sin(turn) }, none = { 0, 0, 0 };
+        tumble_body lamp = tumble_body_add(
+            w, tumble_shape_box(w, tumble_v(0.5, 0.4, 0.3), m),
+            tumble_body_at(at.x, at.y, at.z));
+        tumble_vec3 wall = { 0, 1, 0 }, across = { -sin(turn), 0, cos(turn) };
+        tumble_joint j = k % 4 == 0
+            ? tumble_joint_fixed(w, lamp, tumble_body_ground(), wall)
+            : k % 4 == 1 ? tumble_joint_slider(w, tumble_body_ground(), lamp, at,
+                                               across)
+            : tumble_joint_hinge(w, tumble_body_ground(), lamp, wall,
+                                 k % 4 == 2 ? across : tumble_v(0, 1, 0));
+        // Of a slider the point is the lamp's own; the torque comes with a force.
+        if (k % 4 == 1) tumble_body_set_velocity(w, lamp, none, none);
+        if (k % 4 == 2) tumble_joint_set_motor(w, j, 0, 1000);
+        run(w, 1);
+        double arm = k % 4 == 1 ? 0 : l;
+        near(tumble_joint_torque(w, j), m * 9.81 * arm, 1e-4 * m * 9.81 * (arm + 1));
+        tumble_body_sleep(w, lamp);
+        run(w, 0.1);
+        near(tumble_joint_torque(w, j), m * 9.81 * arm, 1e-4 * m * 9.81 * (arm + 1));
+        tumble_body_wake(w, lamp);
+        if (k % 4 == 1) {
+            for (int i = 0; i < 60; i++) {
+                tumble_body_force(w, lamp, none, tumble_v(3, 0, 4));
+                tumble_world_step(w);
+            }
+            near(tumble_joint_torque(w, j), 5, 1e-3);
+        }
+        expect_fine(w);
+        tumble_world_free(w);
+    }
+}
+END_TEST
+
+// A lever that leans on its cone bears m g l sin a there; one that hangs free, nothing.
+START_TEST(a_cone_bears_the_torque_of_what_leans_on_it)
+{
+    tumble_world *w = tumble_world_make(NULL);
+    tumble_vec3 at = { 0, 3, 0 };
+    tumble_body rod = tumble_body_add(
+        w, tumble_shape_box(w, tumble_v(2, 0.2, 0.2), 3), tumble_body_at(1, 3, 0));
+    tumble_joint j = tumble_joint_ball(w, tumble_body_ground(), rod, at);
+    near(tumble_joint_torque(w, j), 0, 0);
+    tumble_joint_set_cone(w, j, tumble_v(1, 0, 0), 0.3, -4, 4);
+    tumble_body_set_damping(w, rod, 1, 1);
+    run(w, 8);
+    // Damping takes a share of what gravity gives, and joints need not bear that.
+    tumble_body_set_damping(w, rod, 0, 0);
+    tumble_body_wake(w, rod);
+    run(w, 1);
+    near(tumble_joint_swing(w, j), 0.3, 1e-5);
+    near(tumble_joint_torque(w, j), 3 * 9.81 * cos(0.3), 1e-3);
+    tumble_joint_remove(w, j);
+    near(tumble_joint_torque(w, j), 0, 0);
+    near(tumble_joint_torque(NULL, j), 0, 0);
+    tumble_world_free(w);
+}
+END_TEST
+
+// --- Vertices -------------------------------------------------------------------
+START_TEST(a_vertex_has_a_velocity_and_can_be_given_one)
+{
+    tumble_world *w = tumble_world_make(NULL);
+    tumble_body_options o = tumble_body_at(0, 5, 0);
+    o.velocity = tumble_v(1, 2, 3);
+    tumble_body rope = tumble_body_add(w, tumble_shape_rope(w, 10, 2, 1), o);
+    near_vec3(tumble_body_vertex_velocity(w, rope, 4), 1, 2, 3, fine);
+    run(w, 0.5);
+    // It falls as all things do.
+    near_vec3(tumble_body_vertex_velocity(w, rope, 4), 1, 2 - 9.81 * 0.5, 3, 1e-6);
+    for (int i = 0; i <= 10; i++)
+        ck_assert(tumble_body_set_vertex_velocity(w, rope, i, tumble_v(i, 0, -1)));
+    near_vec3(tumble_body_vertex_velocity(w, rope, 7), 7, 0, -1, fine);
+    near_vec3(tumble_body_velocity(w, rope), 5, 0, -1, fine);
+    ck_assert(tumble_body_pin(w, rope, 0));
+    near_vec3(tumble_body_vertex_velocity(w, rope, 0), 0, 0, 0, fine);
+    ck_assert(!tumble_body_set_vertex_velocity(w, rope, 0, tumble_v(1, 0, 0)));
+    expect_failure(w, "pinned");
+    ck_assert(!tumble_body_set_vertex_velocity(w, rope, 11, tumble_v(1, 0, 0)));
+    expect_failure(w, "no vertex 11");
+    ck_assert(!tumble_body_set_vertex_velocity(w, rope, 1, tumble_v(NAN, 0, 0)));
+    expect_failure(w, "velocity");
+    ck_assert(!tumble_body_set_vertex_velocity(NULL, rope, 1, o.velocity));
+    tumble_world_forget_failure(NULL);
+    near_vec3(tumble_body_vertex_velocity(w, rope, -1), 0, 0, 0, 0);
+    near_vec3(tumble_body_vertex_velocity(NULL, rope, 1), 0, 0, 0, 0);
+    tumble_world_free(w);
+}
+END_TEST
+
 int main(void)
 {
     const TTest *const tests[] = {
@@ -1213,6 +1310,9 @@ int main(void)
         a_sensor_that_a_joint_holds_goes_along,
         an_event_says_where_and_how_hard,
         a_bounce_is_told_with_its_impulse,
+        a_weld_bears_the_torque_of_the_lamp,
+        a_cone_bears_the_torque_of_what_leans_on_it,
+        a_vertex_has_a_velocity_and_can_be_given_one,
         a_world_that_is_put_back_does_the_same_again,
         a_ray_finds_all_that_it_meets_in_order,
         rope_and_cloth_are_met_where_they_are,

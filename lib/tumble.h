@@ -590,6 +590,11 @@ bool tumble_joint_set_limits(tumble_world *w, tumble_joint j, double least,
 bool tumble_joint_set_cone(tumble_world *w, tumble_joint j, tumble_vec3 axis,
                            double swing, double least, double most);
 
+// N m, with which a ball joint resists turning, about whatever axis, at most; 0: it
+// turns freely.  Together with a cone, or alone.  It wakes both bodies.  (Of a hinge
+// and a slider, friction is a motor of speed 0.)
+bool tumble_joint_set_friction(tumble_world *w, tumble_joint j, double torque);
+
 // Along the free way of a hinge (rad, N m), a slider or a distance (m, N) there may
 // be a motor and a spring.  Both act together, and within the limits, but equal
 // limits of a distance do not count.  To set one wakes both bodies.

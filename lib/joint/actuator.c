@@ -26,6 +26,21 @@ void actuator_set_limits(joint *j, real least, real most, bool has_limits)
     j->is_limited = has_limits && !j->is_driven;
 }
 
+status actuator_set_friction(joint *j, real torque)
+{
+    if (j->kind != JOINT_BALL)
+        return status_fail("a %s is no ball joint: a motor of speed 0 is its "
+                           "friction", name_of(j));
+    if (!(torque >= 0 && torque < HUGE_VAL))
+        return status_fail("a friction of %g N m is none: it must be finite, and "
+                           "0 or more", torque);
+    j->friction = torque;
+    j->slips = false;
+    j->extra = joint_ball_rows(j);
+    for (int k = 3; k < JOINT_ROWS; k++) j->impulse[k] = 0;
+    return status_ok();
+}
+
 // Its row becomes another one: what it gave is not what the new one gives.
 static void arrange(joint *j)
 {
@@ -285,13 +300,21 @@ bool actuator_switch(joint *j, const joint_rows *r, real *more)
 
 //> actuator-cone
 //>   Swing and twist of a ball joint are two limits, and each may hold without the
-//>   other. Both rows are always there, and what does not hold is none.
-static void open_cone(const joint *j, const joint_rows *r, int n,
+//>   other. Both rows are always there, and what does not hold is none, unless there
+//>   is friction that holds.
+static bool holds_cone(const joint *j, int i)
+{
+    return j->is_coned && i < 2 && j->cone_holds[i];
+}
+
+static void open_ball(const joint *j, joint_rows *r, int n,
                       real k[JOINT_ROWS][JOINT_ROWS])
 {
-    for (int i = 0; i < 2; i++) {
+    bool rubs = j->friction > 0 && !j->slips;
+    for (int i = 0; i < j->extra; i++) {
         int own = r->held + i;
-        if (j->cone_holds[i]) continue;
+        r->firm[i] = r->give[own];
+        if (holds_cone(j, i) || rubs) continue;
         for (int m = 0; m < n; m++) k[own][m] = k[m][own] = 0;
     }
 }
@@ -299,8 +322,8 @@ static void open_cone(const joint *j, const joint_rows *r, int n,
 void actuator_weigh(const joint *j, joint_rows *r, int n,
                     real k[JOINT_ROWS][JOINT_ROWS])
 {
-    if (j->is_coned)    open_cone(j, r, n, k);
-    else                soften(j, r, n, k);
+    if (j->kind == JOINT_BALL)  open_ball(j, r, n, k);
+    else                        soften(j, r, n, k);
 }
 
 real actuator_want_cone(const joint *j, joint_rows *r, int i, real h,
@@ -327,5 +350,63 @@ bool actuator_switch_cone(joint *j, const joint_rows *r, real more[JOINT_ROWS])
         has_changed |= pulls || is_passed;
     }
     return has_changed;
+}
+//<
+
+//> actuator-friction
+//>   Friction of a ball joint is a motor of no speed about three axes at once. What it
+//>   gives is a vector, and not its parts but its length is bounded. While it slips
+//>   it gives its most against the turning, and is no row.
+static real size_of(const joint_rows *r, int i)
+{
+    return i == 1 ? r->twist_size : 1;
+}
+
+static real length_of_free(const joint *j, const joint_rows *r, const real *x,
+                           bool are_speeds)
+{
+    real sum = 0;
+    for (int i = 0; i < 3; i++) {
+        real size = are_speeds ? 1 / size_of(r, i) : size_of(r, i);
+        if (!holds_cone(j, i)) sum += size * size * x[i] * x[i];
+    }
+    return sqrt(sum);
+}
+
+void actuator_begin_friction(joint *j, joint_rows *r, real kick)
+{
+    real *p = &j->impulse[r->held];
+    real speed = length_of_free(j, r, r->turning, true);
+    r->kick = kick;
+    for (int i = 0; i < 3; i++) {
+        real size = size_of(r, i);
+        if (j->slips && speed > 0 && !holds_cone(j, i))
+            p[i] = -j->friction * kick * r->turning[i] / (size * size * speed);
+        r->resisted[i] = p[i];
+    }
+}
+
+real actuator_want_friction(const joint *j, const joint_rows *r, int i)
+{
+    real more = j->impulse[r->held + i] - r->resisted[i];
+    return j->slips ? 0 : -r->turning[i] - r->firm[i] * more;
+}
+
+bool actuator_switch_friction(joint *j, const joint_rows *r,
+                              real more[JOINT_ROWS])
+{
+    const real *p = &j->impulse[r->held];
+    real most = j->friction * r->kick, helps = 0;
+    real gives = length_of_free(j, r, p, false);
+    if (!j->slips && !(gives > most)) return false;
+    for (int i = 0; i < 3; i++) {
+        if (holds_cone(j, i)) continue;
+        helps += p[i] * r->turning[i];
+        if (!j->slips) more[r->held + i] = (most / gives - 1) * p[i];
+    }
+    // It would push on what has come to rest.
+    if (j->slips && !(helps > 0)) return false;
+    j->slips = !j->slips;
+    return true;
 }
 //<

@@ -23,6 +23,10 @@ status actuator_set_motor(joint *j, real speed, real force);
 status actuator_set_spring(joint *j, real rest, real stiffness, real damping,
                            real bound);
 
+// Friction of a ball joint: it resists turning with so much (N m) at most; 0: not
+// at all.  Fails, changing nothing, if the joint is none, or the number no torque.
+status actuator_set_friction(joint *j, real torque);
+
 // Limits of a joint, which are rows of their own if it is not driven.
 void actuator_set_limits(joint *j, real least, real most, bool has_limits);
 
@@ -57,6 +61,14 @@ real actuator_want(const joint *j, joint_rows *r, real h, real max_speed,
 // by at `speed`.
 real actuator_want_cone(const joint *j, joint_rows *r, int i, real h,
                         real max_speed, const real *end, real speed);
+
+// The same of friction, when the bodies turn by r->turning at the begin of a substep
+// in which forces act for `kick` (s); what row i wants; and whether the joint holds or
+// slips has changed.
+void actuator_begin_friction(joint *j, joint_rows *r, real kick);
+real actuator_want_friction(const joint *j, const joint_rows *r, int i);
+bool actuator_switch_friction(joint *j, const joint_rows *r,
+                              real more[JOINT_ROWS]);
 
 // After that: a limit that pulls lets go, one that is passed holds.  The impulses
 // that are to be given at once are added to `more`.  Returns whether that has

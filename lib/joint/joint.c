@@ -386,6 +386,29 @@ static void find_cone_rows(joint_rows *r, const joint *j, const joint_side *a,
     turn_apart(r, 4, a, b, vec3_scale(more > 0 ? sign / more : 0, sum));
 }
 
+// Friction acts about all axes: with a cone about those of its swing and twist, and
+// a third one.  Where nothing leans, any lean will do.
+static void find_friction_rows(joint_rows *r, const joint *j,
+                               const joint_side *a, const joint_side *b)
+{
+    vec3 x = turned_by_frame(&a->frame, j->axis_a[0]);
+    vec3 y = turned_by_frame(&b->frame, j->axis_b[0]);
+    vec3 lean = vec3_cross(y, x), third = vec3_cross(lean, vec3_add(x, y));
+    real length = vec3_length(third);
+    r->twist_size = 1;
+    for (int k = 0; k < 3 && !j->is_coned; k++)
+        turn_apart(r, 3 + k, a, b, AXIS[k]);
+    if (!j->is_coned) return;
+    r->twist_size = joint_twist_length(j, &a->frame, &b->frame);
+    if (length > 0) {
+        turn_apart(r, 5, a, b, vec3_scale(1 / length, third));
+        return;
+    }
+    choose_across(x, &lean, &third);
+    turn_apart(r, 3, a, b, lean);
+    turn_apart(r, 5, a, b, third);
+}
+
 static void find_slider_rows(joint_rows *r, const joint *j, const joint_side *a,
                              const joint_side *b, vec3 on_b)
 {
@@ -450,6 +473,7 @@ void joint_find_rows(joint_rows *r, const joint *j, const joint_side *a,
         find_point_rows(r, a, b, on_a, on_b);
         if (j->kind == JOINT_HINGE) find_hinge_rows(r, j, a, b);
         if (j->is_coned)            find_cone_rows(r, j, a, b);
+        if (j->friction > 0)        find_friction_rows(r, j, a, b);
         for (int k = 0; k < 3 && j->kind == JOINT_FIXED; k++)
             turn_apart(r, r->held++, a, b, AXIS[k]);
     }

@@ -80,11 +80,14 @@ typedef struct {
                                 // there while the limit pushes
     bool is_driven;             // there is a motor or a spring: its row is always
     bool has_limits;            // there, and does what the limits do as well
-    int  extra;                 // such rows: 1 of a drive, 2 of a cone
+    bool slips;                 // its friction gives its most
+    int  extra;                 // such rows: 1 of a drive, 2 of a cone, 3 where a
+                                // ball joint has friction, with a cone or without
     bool is_coned;              // a ball joint: axis [0] of B leans from that of A
     real cone;                  // by so much at most, rad, and B has turned about
     bool cone_holds[2];         // it from least to most; swing and twist hold now
     joint_drive drive;
+    real friction;              // N m, of a ball joint; 0: none
     real strength;              // N; HUGE_VAL: it never breaks
     unsigned locked;            // of a lock
     bool may_touch;
@@ -134,7 +137,11 @@ typedef struct {
                                 // gave when the substep began
     joint_drive drive_begun;
     bool cone_begun[2];         // which of swing and twist held, and
+    bool slip_begun;            // did it slip?
     real cone_want[2];          // what they want, rad/s, held or not
+    real twist_size;            // of friction: of the axis of its second row;
+    real turning[3];            // rad/s, along its rows as it is now;
+    real firm[3], resisted[3];  // as hard and kept, of its rows
     real pace;                  // rad/s, of the fastest swing about it in the
                                 // last frame
     int  next;                  // joint of the same tree; -1: none
@@ -194,6 +201,12 @@ vec3 joint_way(const joint *j, const rigid_frame *a, const rigid_frame *b);
 // Where the points are: m, of A and of B.
 void joint_points(const joint *j, const rigid_frame *a, const rigid_frame *b,
                   vec3 *on_a, vec3 *on_b);
+
+// The rows that a ball joint has beside those of its point.
+static inline int joint_ball_rows(const joint *j)
+{
+    return j->friction > 0 ? 3 : 2 * j->is_coned;
+}
 
 // Can it be driven?
 static inline bool joint_is_free(const joint *j)

@@ -360,6 +360,17 @@ static real speed_along(const linkage_pass *q, const joint *j, joint_rows *r,
     return -less;
 }
 
+// After the cone's: friction takes what that leaves free.
+static void want_friction(const linkage_pass *q, const joint *j, joint_rows *r,
+                          real want[JOINT_ROWS])
+{
+    for (int i = 0; i < 3; i++) {
+        bool is_cone = j->is_coned && i < 2 && j->cone_holds[i];
+        r->turning[i] = speed_along(q, j, r, r->held + i);
+        if (!is_cone) want[r->held + i] = actuator_want_friction(j, r, i);
+    }
+}
+
 static void want_cone_together(const linkage *l, const linkage_pass *q,
                                int number, real want[JOINT_ROWS])
 {
@@ -379,6 +390,7 @@ static void want_driven_together(const linkage *l, const linkage_pass *q,
     joint_rows *r = &l->rows[number];
     want_together(l, q, number, want);
     if (j->is_coned) want_cone_together(l, q, number, want);
+    if (j->friction > 0) want_friction(q, j, r, want);
     if (!j->is_driven) return;
     real end = joint_where(j, end_of(l, q, j->a), end_of(l, q, j->b));
     want[r->held] = actuator_want(j, r, q->f->h, q->f->max_speed, &end, 0);
@@ -394,6 +406,7 @@ static void want_driven_rest(const linkage *l, const linkage_pass *q,
         want[r->held + i] = actuator_want_cone(j, r, i, q->f->h, q->f->max_speed,
                                                NULL, speed_along(q, j, r,
                                                                  r->held + i));
+    if (j->friction > 0) want_friction(q, j, r, want);
     if (!j->is_driven) return;
     want[r->held] = actuator_want(j, r, q->f->h, q->f->max_speed, NULL,
                                   speed_along(q, j, r, r->held));
@@ -428,11 +441,20 @@ static real kick_of(const linkage_pass *q, const joint *j)
     return f->age ? (f->age[yielding(f, j)] + f->h) / 2 : f->h;
 }
 
+static void begin_friction(const linkage_pass *q, joint *j, joint_rows *r)
+{
+    for (int i = 0; i < 3; i++)
+        r->turning[i] = speed_along(q, j, r, r->held + i);
+    actuator_begin_friction(j, r, kick_of(q, j));
+}
+
 static void begin_drives(linkage *l, const linkage_pass *q)
 {
     for (int k = 0; k < l->count; k++) {
         joint *j = &l->joint[k];
-        if (j->is_driven && l->role[k] != JOINT_IDLE)
+        if (l->role[k] == JOINT_IDLE) continue;
+        if (j->friction > 0) begin_friction(q, j, &l->rows[k]);
+        if (j->is_driven)
             actuator_begin(j, &l->rows[k], q->f->h, kick_of(q, j));
     }
 }
@@ -503,8 +525,9 @@ static bool switch_drive(linkage *l, const linkage_pass *q, int number,
     joint_rows *r = &l->rows[number];
     real want[JOINT_ROWS], more[JOINT_ROWS] = { 0 };
     what(l, q, number, want);
-    bool has_changed = j->is_coned ? actuator_switch_cone(j, r, more)
-                                   : actuator_switch(j, r, &more[r->held]);
+    bool has_changed = j->is_driven && actuator_switch(j, r, &more[r->held]);
+    if (j->is_coned)     has_changed |= actuator_switch_cone(j, r, more);
+    if (j->friction > 0) has_changed |= actuator_switch_friction(j, r, more);
     if (has_changed) push_more(l, q, number, more);
     return has_changed;
 }
@@ -949,7 +972,7 @@ static void find_rows_of(linkage *l, const linkage_pass *q, int k)
     bool was_upper = r->is_upper;
     joint_find_rows(r, j, &a, &b);
     if (j->is_limited && r->is_upper != was_upper) j->impulse[r->held] = 0;
-    if (j->extra == 2 && r->is_upper != was_upper)
+    if (j->is_coned && r->is_upper != was_upper)
         j->impulse[4] = j->cone_holds[1] = 0;
     r->count = r->held + (j->is_limited && j->impulse[r->held] > 0)
              + j->extra;
@@ -1033,6 +1056,7 @@ static void find_sizes(linkage *l, const linkage_pass *q)
 static void remember_drive(const joint *j, joint_rows *r)
 {
     r->drive_begun = j->drive;
+    r->slip_begun = j->slips;
     memcpy(r->cone_begun, j->cone_holds, sizeof r->cone_begun);
 }
 
@@ -1096,6 +1120,7 @@ void linkage_rewind(linkage *l, const linkage_pass *q)
         r->is_upper = r->was_upper;
         if (j->extra > 0) {
             j->drive = r->drive_begun;
+            j->slips = r->slip_begun;
             memcpy(j->cone_holds, r->cone_begun, sizeof j->cone_holds);
         }
         l->broken -= j->is_broken && !r->was_broken;

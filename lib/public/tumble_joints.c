@@ -155,6 +155,12 @@ bool tumble_joint_set_motor(tumble_world *w, tumble_joint j, double speed,
     return x && inside_is_ok(w, world_set_motor(&w->world, *x, speed, force));
 }
 
+bool tumble_joint_set_friction(tumble_world *w, tumble_joint j, double torque)
+{
+    const int *x = inside_joint(w, j);
+    return x && inside_is_ok(w, world_set_friction(&w->world, *x, torque));
+}
+
 bool tumble_joint_set_spring(tumble_world *w, tumble_joint j, double rest,
                              double stiffness, double damping)
 {

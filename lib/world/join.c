@@ -120,7 +120,7 @@ status world_cone_joint(world *w, int number, vec3 axis, real swing, real least,
     j->least = real_max(least, -2 * turn);
     j->most = real_min(most, 2 * turn);
     j->is_coned = swing < turn || least > -turn || most < turn;
-    j->extra = 2 * j->is_coned;
+    j->extra = joint_ball_rows(j);
     j->cone_holds[0] = j->cone_holds[1] = false;
     for (int k = 3; k < JOINT_ROWS; k++) j->impulse[k] = 0;
     wake_both(w, j);
@@ -175,6 +175,14 @@ status world_set_motor(world *w, int number, real speed, real force)
     joint *j = joint_at(w, number);
     status done = actuator_set_motor(j, speed, force);
     if (done.ok) begin_drive(w, number);
+    return done;
+}
+
+status world_set_friction(world *w, int number, real torque)
+{
+    joint *j = joint_at(w, number);
+    status done = actuator_set_friction(j, torque);
+    if (done.ok) wake_both(w, j);
     return done;
 }
 
@@ -239,8 +247,7 @@ real world_joint_drive(const world *w, int number)
 real world_joint_torque(const world *w, int number)
 {
     const joint *j = joint_at(w, number);
-    bool has_turns = j->kind == JOINT_HINGE || j->kind == JOINT_FIXED
-                  || j->kind == JOINT_SLIDER || j->is_coned;
+    bool has_turns = j->kind != JOINT_DISTANCE && j->kind != JOINT_PIN;
     int yields = is_dynamic(w, j->b) ? j->b : j->a;
     int first = j->kind == JOINT_SLIDER ? 2 : 3;
     vec3 p = { j->impulse[first], j->impulse[first + 1], j->impulse[first + 2] };

@@ -41,8 +41,9 @@ status world_cone_joint(world *w, int number, vec3 axis, real swing, real least,
 real world_joint_swing(const world *w, int number);
 real world_joint_twist(const world *w, int number);
 
-// A motor or a spring along the free way of a joint (actuator.h).  Its bodies
-// wake.  Fail, changing nothing, as those do.
+// Friction of a ball joint, a motor or a spring along the free way of a joint
+// (actuator.h).  Its bodies wake.  Fail, changing nothing, as those do.
+status world_set_friction(world *w, int number, real torque);
 status world_set_motor(world *w, int number, real speed, real force);
 status world_set_spring(world *w, int number, real rest, real stiffness,
                         real damping, real bound);

@@ -182,10 +182,11 @@ static void touch(void)
 static bool drive(tumble_joint j)
 {
     double speed = number(), force = number(), more = number();
-    switch (byte() % 4) {
+    switch (byte() % 5) {
     case 0:  return tumble_joint_set_motor(w, j, speed, force);
     case 1:  return tumble_joint_set_spring(w, j, speed, force, more);
     case 2:  return tumble_joint_set_servo(w, j, speed, force, more, number());
+    case 3:  return tumble_joint_set_friction(w, j, force);
     default: return tumble_joint_set_cone(w, j, triple(), speed, force, more);
     }
 }

@@ -1249,6 +1249,111 @@ START_TEST(a_cone_bears_the_torque_of_what_leans_on_it)
 }
 END_TEST
 
+// A bob on a massless arm of 1 m, hung on a ball joint at the origin, at this angle from
+// below; *j is the joint.
+static tumble_body hung_bob(tumble_world *w, double angle, double friction,
+                            tumble_joint *j)
+{
+    tumble_body_options o = tumble_body_at(sin(angle), -cos(angle), 0);
+    o.pose.rotation = tumble_quat_turn(tumble_v(0, 0, 1), angle);
+    tumble_body bob = tumble_body_add(w, tumble_shape_sphere(w, 0.1, 2), o);
+    *j = tumble_joint_ball(w, tumble_body_ground(), bob, tumble_v(0, 0, 0));
+    ck_assert(tumble_joint_set_friction(w, *j, friction));
+    return bob;
+}
+
+static double hangs_at(const tumble_world *w, tumble_body b)
+{
+    tumble_vec3 p = tumble_body_position(w, b);
+    return atan2(sqrt(p.x * p.x + p.z * p.z), -p.y);
+}
+
+// It holds m g l sin a, and no more.
+START_TEST(friction_of_a_ball_joint_holds_what_it_can)
+{
+    for (int k = 1; k < 8; k++)
+        for (int i = -1; i < 2; i += 2)
+            for (int cone = 0; cone < 2; cone++) {
+                double angle = 0.2 * k, needs = 2 * 9.81 * sin(angle);
+                tumble_world *w = tumble_world_make(NULL);
+                tumble_joint j;
+                tumble_body b = hung_bob(w, angle, needs * (1 + 0.01 * i), &j);
+                if (cone)
+                    tumble_joint_set_cone(w, j, tumble_v(0, 1, 0), 2, -2, 2);
+                run(w, 3);
+                double moved = fabs(hangs_at(w, b) - angle);
+                if (i > 0) near(moved, 0, 1e-4);
+                else       ck_assert(moved > 0.009 * tan(angle));
+                if (i > 0) near(tumble_joint_torque(w, j), needs, 1e-3 * needs);
+                expect_fine(w);
+                tumble_world_free(w);
+            }
+}
+END_TEST
+
+// It loses T for each radian: m g l (cos b - cos a) = T (a + b) at the next turning
+// point, on the other side, and it comes to rest where m g l sin a is no more than T.
+START_TEST(friction_of_a_ball_joint_takes_its_torque_for_each_radian)
+{
+    for (int k = 0; k < 6; k++)
+        for (int cone = 0; cone < 2; cone++) {
+            double a = 0.8 + 0.1 * k, torque = 0.6 + 0.5 * k, mgl = 2 * 9.81;
+            tumble_world *w = tumble_world_make(NULL);
+            tumble_joint j;
+            tumble_body bob = hung_bob(w, -a, torque, &j);
+            if (cone) tumble_joint_set_cone(w, j, tumble_v(0, 1, 0), 3, -2, 2);
+            double low = 0, high = a, furthest = -a;
+            for (int i = 0; i < 60; i++) {
+                double b = (low + high) / 2;
+                bool reaches = mgl * (cos(b) - cos(a)) > torque * (a + b);
+                *(reaches ? &low : &high) = b;
+            }
+            for (int i = 0; i < 90; i++) {
+                tumble_world_step(w);
+                tumble_vec3 p = tumble_body_position(w, bob);
+                furthest = fmax(furthest, atan2(p.x, -p.y));
+            }
+            near(furthest, low, 3e-4);
+            run(w, 30);
+            ck_assert(mgl * sin(hangs_at(w, bob)) < torque * 1.01);
+            near(tumble_body_velocity(w, bob).x, 0, 1e-3);
+            tumble_world_free(w);
+        }
+}
+END_TEST
+
+// A ball that spins about the axis of its cone is slowed by T / I, and stays.
+START_TEST(friction_of_a_ball_joint_stops_a_spin)
+{
+    for (int k = 0; k < 4; k++) {
+        tumble_world *w = weightless();
+        tumble_body ball = tumble_body_add(w, tumble_shape_sphere(w, 0.5, 10),
+                                           tumble_body_at(0, 0, 0));
+        tumble_joint j = tumble_joint_ball(w, tumble_body_ground(), ball,
+                                           tumble_v(0, 0, 0));
+        tumble_vec3 axis = { k == 1, k != 1, k == 2 };
+        double length = k == 2 ? sqrt(2) : 1, inertia = 0.4 * 10 * 0.25;
+        if (k == 3) tumble_joint_set_cone(w, j, axis, 0.5, -4, 4);
+        ck_assert(tumble_joint_set_friction(w, j, 2));
+        tumble_body_set_velocity(w, ball, tumble_v(0, 0, 0),
+                                 tumble_v(5 * axis.x / length, 5 * axis.y / length,
+                                          5 * axis.z / length));
+        run(w, 1);
+        tumble_vec3 s = tumble_body_spin(w, ball);
+        near(sqrt(s.x * s.x + s.y * s.y + s.z * s.z), 5 - 2 / inertia, 0.02);
+        run(w, 2);
+        s = tumble_body_spin(w, ball);
+        near(sqrt(s.x * s.x + s.y * s.y + s.z * s.z), 0, 1e-6);
+        ck_assert(tumble_joint_set_friction(w, j, 0));
+        ck_assert(!tumble_joint_set_friction(w, j, -1));
+        expect_failure(w, "friction of -1");
+        ck_assert(!tumble_joint_set_friction(w, j, HUGE_VAL));
+        expect_failure(w, "friction of inf");
+        tumble_world_free(w);
+    }
+}
+END_TEST
+
 // --- Vertices -------------------------------------------------------------------
 START_TEST(a_vertex_has_a_velocity_and_can_be_given_one)
 {
@@ -1312,6 +1417,9 @@ int main(void)
         a_bounce_is_told_with_its_impulse,
         a_weld_bears_the_torque_of_the_lamp,
         a_cone_bears_the_torque_of_what_leans_on_it,
+        friction_of_a_ball_joint_holds_what_it_can,
+        friction_of_a_ball_joint_takes_its_torque_for_each_radian,
+        friction_of_a_ball_joint_stops_a_spin,
         a_vertex_has_a_velocity_and_can_be_given_one,
         a_world_that_is_put_back_does_the_same_again,
         a_ray_finds_all_that_it_meets_in_order,

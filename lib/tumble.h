@@ -265,6 +265,12 @@ tumble_shape tumble_shape_capsule(tumble_world *w, double length, double radius,
 tumble_shape tumble_shape_cylinder(tumble_world *w, double length,
                                    double radius, double mass);
 
+// A cone along y, its tip at +y: a pyramid of 32 sides whose corners lie on the
+// rim, with the mass, the centre and the inertia of the round cone.  Its origin is a
+// quarter of the height above its base.
+tumble_shape tumble_shape_cone(tumble_world *w, double height, double radius,
+                               double mass);
+
 // The convex hull of n points.  Fails if they are fewer than four, flat, or not
 // finite.
 tumble_shape tumble_shape_hull(tumble_world *w, const tumble_vec3 *point, int n,

@@ -7,7 +7,9 @@
 #include "inside.h"
 #include "obj.h"
 #include "rounding.h"
+#include "weight.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -77,6 +79,40 @@ tumble_shape tumble_shape_hull(tumble_world *w, const tumble_vec3 *point, int n,
     status done = at ? shape_hull(&s, at, n, mass) : status_out_of_memory();
     free(at);
     return inside_keep(w, &s, done);
+}
+
+// A hull with a round cone's weight.  The centre of mass of both is a quarter of
+// the height above the base.
+enum { CONE_SIDES = 32 };
+
+static status make_cone(shape *made, real height, real radius, real mass)
+{
+    const tumble_vec3 y = { 0, 1, 0 }, out = { radius, -height / 4, 0 };
+    vec3 at[CONE_SIDES + 1], none = { 0, 0, 0 };
+    shape pyramid;
+    if (!(height > 0 && radius > 0 && height < HUGE_VAL && radius < HUGE_VAL))
+        return status_fail("a cone of height %g and radius %g is none: both "
+                           "must be above 0", height, radius);
+    for (int k = 0; k < CONE_SIDES; k++) {
+        tumble_quat turn = tumble_quat_turn(y, 2 * JOINT_HALF_TURN * k / CONE_SIDES);
+        at[k] = from_user(tumble_quat_rotate(turn, out));
+    }
+    at[CONE_SIDES] = (vec3){ 0, 0.75 * height, 0 };
+    status done = shape_hull(&pyramid, at, CONE_SIDES + 1, mass);
+    if (!done.ok) return done;
+    real square = radius * radius, along = 0.3 * mass * square;
+    real across = 0.15 * mass * (square + height * height / 4);
+    const real inertia[6] = { across, along, across, 0, 0, 0 };
+    done = weight_give(made, &pyramid, mass, none, inertia);
+    shape_free(&pyramid);
+    return done;
+}
+
+tumble_shape tumble_shape_cone(tumble_world *w, double height, double radius,
+                               double mass)
+{
+    shape s;
+    return inside_keep(w, &s, make_cone(&s, height, radius, mass));
 }
 
 tumble_shape tumble_shape_obj(tumble_world *w, const char *path, double radius,

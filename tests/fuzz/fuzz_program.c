@@ -69,7 +69,7 @@ static void make_shape(void)
     tumble_vec3 point[8];
     tumble_shape s = { 0, 0 };
     if (shapes == MOST_IDS) return;
-    switch (byte() % 8) {
+    switch (byte() % 9) {
     case 0: s = tumble_shape_box(w, triple(), number()); break;
     case 1: s = tumble_shape_icosahedron(w, number(), number()); break;
     case 2: s = tumble_shape_sphere(w, number(), number()); break;
@@ -83,6 +83,8 @@ static void make_shape(void)
               s = tumble_shape_cloth(w, n, m, l, d, number()); break; }
     case 7: { double l = number(), r = number();
               s = tumble_shape_cylinder(w, l, r, number()); break; }
+    case 8: { double l = number(), r = number();
+              s = tumble_shape_cone(w, l, r, number()); break; }
     }
     MUST(s.generation != 0 || tumble_world_failure(w), "refused in silence");
     if (s.generation != 0) shape[shapes++] = s;

@@ -379,6 +379,82 @@ START_TEST(what_is_no_cylinder_is_refused)
 }
 END_TEST
 
+// --- Cones ----------------------------------------------------------------------
+// Rejects: the inertia of the pyramid.
+START_TEST(a_cone_has_the_mass_and_the_moments_of_a_round_one)
+{
+    const double m = 3, r = 0.4, h = 1.5;
+    tumble_world *w = made(0.5);
+    tumble_world_set_gravity(w, tumble_v(0, 0, 0));
+    tumble_body b = tumble_body_add(w, tumble_shape_cone(w, h, r, m),
+                                    tumble_body_at(0, 9, 0));
+    double across = 3 * m * (4 * r * r + h * h) / 80;
+    near(tumble_body_mass(w, b), m, 1e-12);
+    near(kinetic_of(w, b, tumble_v(0, 1, 0)), 0.3 * m * r * r / 2, 1e-12);
+    near(kinetic_of(w, b, tumble_v(1, 0, 0)), across / 2, 1e-12);
+    near(kinetic_of(w, b, tumble_v(0, 0, 1)), across / 2, 1e-12);
+    is_well(w);
+}
+END_TEST
+
+// Its side is as far out as the height above the base says, less what a side of the
+// pyramid lies inside: 1 - cos(pi / 32).
+START_TEST(rays_meet_a_cone_where_it_is)
+{
+    const double r = 0.4, h = 1.6;
+    tumble_world *w = made(0.5);
+    tumble_hit hit;
+    tumble_body_add(w, tumble_shape_cone(w, h, r, 1), tumble_body_at(0, 9, 0));
+    for (int k = 0; k < 40; k++) {
+        double turn = 0.37 * k, up = 0.04 * k, out = r * (1 - up / h);
+        double y = 9 - h / 4 + up;
+        ck_assert(tumble_world_ray(w, tumble_v(2 * cos(turn), y, 2 * sin(turn)),
+                                   tumble_v(0, y, 0), ~0u, &hit));
+        double at = hypot(hit.point.x, hit.point.z);
+        ck_assert(at <= out + 1e-9 && at >= out * cos(acos(-1) / 32) - 1e-9);
+    }
+    ck_assert(tumble_world_ray(w, tumble_v(0, 20, 0), tumble_v(0, 0, 0), ~0u, &hit));
+    near(hit.point.y, 9 + 0.75 * h, 1e-9);
+    is_well(w);
+}
+END_TEST
+
+// It stands if its centre, h / 4 above the base, is over that: tan t < 4 r / h.
+START_TEST(a_cone_that_leans_falls_back_or_over)
+{
+    for (int k = 0; k < 4; k++)
+        for (int i = -1; i < 2; i += 2) {
+            double r = 0.3, h = 0.4 + 0.3 * k, t = atan(4 * r / h) + 0.05 * i;
+            tumble_world *w = made(0.8);
+            tumble_plane_add(w, tumble_v(0, 1, 0), 0, -1);
+            double out = hypot(r, h / 4);
+            tumble_body_options o = tumble_body_at(0, out, 0);
+            // It stands on the corner at x = r.
+            o.pose.rotation = tumble_quat_turn(tumble_v(0, 0, 1), -t);
+            tumble_body b = tumble_body_add(w, tumble_shape_cone(w, h, r, 2), o);
+            for (int n = 0; n < 600; n++) tumble_world_step(w);
+            double y = tumble_body_position(w, b).y;
+            if (i < 0) near(y, h / 4, 1e-3);
+            else       ck_assert(fabs(y - h / 4) > 0.01);
+            is_well(w);
+        }
+}
+END_TEST
+
+START_TEST(what_is_no_cone_is_refused)
+{
+    const double bad[][3] = { { 0, 1, 1 }, { 1, -1, 1 }, { 1, 1, 0 },
+                              { NAN, 1, 1 }, { 1, INFINITY, 1 }, { 1, 1, NAN } };
+    for (int k = 0; k < 6; k++) {
+        tumble_world *w = made(0.5);
+        tumble_shape s = tumble_shape_cone(w, bad[k][0], bad[k][1], bad[k][2]);
+        ck_assert_uint_eq(s.generation, 0);
+        ck_assert_ptr_nonnull(tumble_world_failure(w));
+        tumble_world_free(w);
+    }
+}
+END_TEST
+
 int main(void)
 {
     const TTest *const tests[] = {
@@ -394,6 +470,10 @@ int main(void)
         it_is_saved_and_goes_on_alike,
         it_is_drawn_as_a_closed_prism,
         what_is_no_cylinder_is_refused,
+        a_cone_has_the_mass_and_the_moments_of_a_round_one,
+        rays_meet_a_cone_where_it_is,
+        a_cone_that_leans_falls_back_or_over,
+        what_is_no_cone_is_refused,
         NULL
     };
     return suite_run((suite){ .name = "cylinders", .tests = tests,

@@ -985,6 +985,8 @@ START_TEST(a_question_about_no_world_has_the_answer_zero)
     NOTHING(tumble_joint_gap(NONE, j) != 0);
     NOTHING(tumble_joint_force(NONE, j) != 0);
     NOTHING(tumble_joint_torque(NONE, j) != 0);
+    REFUSED(tumble_joint_set_friction(NONE, j, 1));
+    NO_ID(tumble_shape_cone(NONE, 1, 1, 1));
     NOTHING(tumble_joint_angle(NONE, j) != 0);
     NOTHING(tumble_world_ray(NONE, ZERO, UP, ~0u, NULL));
     NOTHING(tumble_world_nearest(NONE, ZERO, 1, ~0u, NULL));

@@ -11,7 +11,7 @@
 static const real APART = 1e-5;
 
 // Of its radius, the rounding of a height, and of 1, that of a slope, likewise.
-static const real FINE = 1e-6;
+static const real SMALL = 1e-6;
 
 // Of its radius, how far behind an edge there must be ground: edges that are
 // rounded or cut off by less are edges, and ledges that are narrower are none.
@@ -19,7 +19,7 @@ static const real BEHIND = 0.1;
 
 enum {
     BENDS = 5,          // walls that one way turns at, at most
-    PARTINGS = 8        // times that it is pushed out of something, at most
+    PUSHES = 8        // times that it is pushed out of something, at most
 };
 
 typedef struct {
@@ -48,7 +48,7 @@ static rounded capsule_of(const walk *k, vec3 end[2])
 }
 
 // False: it went all of the way.  Else *left is what is left of it, 0 to 1.
-static bool go(walk *k, vec3 way, real *left, tumble_hit *hit)
+static bool go_until_met(walk *k, vec3 way, real *left, tumble_hit *hit)
 {
     vec3 end[2];
     real length = vec3_length(way), ahead = length + 2 * k->apart;
@@ -69,13 +69,13 @@ static bool go(walk *k, vec3 way, real *left, tumble_hit *hit)
 }
 
 // What came into it pushes it out.
-static void part(walk *k)
+static void push_out(walk *k)
 {
     vec3 end[2];
     tumble_hit h;
-    for (int i = 0; i < PARTINGS; i++) {
+    for (int i = 0; i < PUSHES; i++) {
         if (!inside_near(k->w, capsule_of(k, end), k->apart, k->how->mask, &h)
-            || h.fraction >= k->apart * (1 - FINE)) return;
+            || h.fraction >= k->apart * (1 - SMALL)) return;
         k->at = vec3_add_scaled(k->at, k->apart - h.fraction,
                                 from_user(h.normal));
     }
@@ -141,7 +141,8 @@ static bool go_level(walk *k, vec3 way)
         tumble_hit h;
         real left;
         vec3 v = along_walls(way, wall, walls);
-        if (!go(k, lifted(k, v, ground, grounds), &left, &h)) return walls == 0;
+        v = lifted(k, v, ground, grounds);
+        if (!go_until_met(k, v, &left, &h)) return walls == 0;
         way = vec3_scale(left, way);
         vec3 n = from_user(h.normal), upright = level_part(k, n);
         real length = vec3_length(upright);
@@ -150,7 +151,7 @@ static bool go_level(walk *k, vec3 way)
             continue;
         }
         // A ceiling over a slope stops it.
-        if (!(length > FINE)) upright = vec3_scale(-1, way);
+        if (!(length > SMALL)) upright = vec3_scale(-1, way);
         wall[walls++] = vec3_unit(upright);
     }
     return false;
@@ -178,7 +179,7 @@ static bool bears(const walk *k, const tumble_hit *h, real highest)
     real rise = vec3_dot(p, k->up) - foot_height(k), r = k->how->radius;
     tumble_hit top;
     if (is_level(k, h)) return true;
-    if (!(vec3_dot(n, k->up) > 0 && rise <= highest + FINE * r)) return false;
+    if (!(vec3_dot(n, k->up) > 0 && rise <= highest + SMALL * r)) return false;
     vec3 in = vec3_unit(level_part(k, n));
     vec3 over = vec3_add_scaled(vec3_add_scaled(p, -BEHIND * r, in), r, k->up);
     vec3 under = vec3_add_scaled(over, -(1 + BEHIND) * r, k->up);
@@ -192,8 +193,8 @@ static bool land(walk *k, real most, real below)
 {
     vec3 from = k->at;
     tumble_hit h;
-    real left, highest = k->height + k->how->step + FINE * k->how->radius;
-    k->stands = go(k, vec3_scale(-most, k->up), &left, &h) 
+    real left, highest = k->height + k->how->step + SMALL * k->how->radius;
+    k->stands = go_until_met(k, vec3_scale(-most, k->up), &left, &h)
              && bears(k, &h, k->how->step + below)
              && vec3_dot(from_user(h.point), k->up) <= highest;
     if (k->stands)  k->ground = h;
@@ -214,10 +215,10 @@ static void tread(walk *k, vec3 way)
     bool is_free = go_level(k, way);
     land(k, step + k->apart, 0);
     if (is_free || !(step > 0)) return;
-    go(&over, vec3_scale(step + below, k->up), &left, &h);
+    go_until_met(&over, vec3_scale(step + below, k->up), &left, &h);
     go_level(&over, way);
     real further = vec3_dot(vec3_sub(over.at, k->at), way);
-    if (!(further > FINE * vec3_length_squared(way))) return;
+    if (!(further > SMALL * vec3_length_squared(way))) return;
     real raised = vec3_dot(vec3_sub(over.at, from), k->up);
     if (land(&over, raised + step + k->apart, below)) *k = over;
 }
@@ -229,7 +230,7 @@ static void fly(walk *k, vec3 way)
     for (int walls = 0; walls < BENDS; walls++) {
         tumble_hit h;
         real left;
-        if (!go(k, along_walls(way, wall, walls), &left, &h)) return;
+        if (!go_until_met(k, along_walls(way, wall, walls), &left, &h)) return;
         if (vec3_dot(way, k->up) < 0 && bears(k, &h, k->how->step)) {
             k->ground = h;
             k->stands = true;
@@ -251,8 +252,8 @@ tumble_walker tumble_walker_capsule(double length, double radius)
                             .slope = JOINT_HALF_TURN / 4, .mask = ~0u };
 }
 
-static bool begin(walk *k, const tumble_world *w, const tumble_walker *how,
-                  const tumble_walk *from, vec3 way)
+static bool begin_walk(walk *k, const tumble_world *w,
+                       const tumble_walker *how, const tumble_walk *from, vec3 way)
 {
     const tumble_vec3 x = { 1, 0, 0 };
     real up = vec3_length(from_user(how->up));
@@ -269,7 +270,7 @@ static bool begin(walk *k, const tumble_world *w, const tumble_walker *how,
     *k = (walk){ .w = w, .how = how, .at = from_user(from->position),
                  .up = vec3_scale(1 / up, from_user(how->up)),
                  .apart = APART * how->radius };
-    k->level = real_max(2 * c * c - 1 - FINE, FINE);
+    k->level = real_max(2 * c * c - 1 - SMALL, SMALL);
     return true;
 }
 
@@ -282,7 +283,7 @@ static vec3 carried(const walk *k, const tumble_walk *from)
                     from_user(from->point));
 }
 
-static tumble_walk told(const walk *k)
+static tumble_walk tell_walk(const walk *k)
 {
     tumble_walk x = { .position = to_user(k->at), .stands = k->stands };
     if (!k->stands) return x;
@@ -304,12 +305,12 @@ bool tumble_world_walk(const tumble_world *w, tumble_walker how,
 {
     walk k;
     vec3 v = from_user(way);
-    if (!begin(&k, w, &how, &from, v)) return false;
+    if (!begin_walk(&k, w, &how, &from, v)) return false;
     real rise = vec3_dot(v, k.up);
     vec3 up = vec3_scale(rise, k.up), flat = vec3_sub(v, up);
     vec3 rides = from.stands ? carried(&k, &from) : (vec3){ 0, 0, 0 };
     k.at = vec3_add(k.at, rides);
-    part(&k);
+    push_out(&k);
     k.height = vec3_dot(vec3_add(from_user(from.point), rides), k.up);
     if (from.stands) {
         tread(&k, flat);
@@ -318,9 +319,9 @@ bool tumble_world_walk(const tumble_world *w, tumble_walker how,
         go_level(&k, flat);
     }
     if (!k.stands && rise < 0) fly(&k, up);
-    part(&k);
+    push_out(&k);
     if (!vec3_is_finite(k.at)) return false;
-    if (to) *to = told(&k);
+    if (to) *to = tell_walk(&k);
     return true;
 }
 //<

@@ -186,9 +186,9 @@ typedef struct {
     int  above;         // the body that lies on the other, if they touch, and
                         // it is not driven; or -1
     real lift;          // N m/s, the load along gravity, times gravity
-    real weight;        // 1/s^2, the weight of that body, over effective mass
-                        // and smaller radius, as if nothing else bore it;
-    real borne;         // 1/s^2, the force that was borne, over the same
+    real weight;        // m/s^2, the weight of that body, over effective mass,
+                        // as if nothing else bore it;
+    real borne;         // m/s^2, the force that was borne, over the same
 } active_contact;
 
 // The smaller radius of the bodies of x; of the one that yields, if it is alone.

@@ -32,12 +32,12 @@ static real find_above(active_contact *x, const contact *c,
 }
 
 static void find_loads(active_contact *x, const contact *c,
-                       const solver_frame *f, real radius)
+                       const solver_frame *f)
 {
     real inverse = f->body[x->a].basis.inverse_mass;
     if (x->sides == TWO_SIDED) inverse += f->body[x->b].basis.inverse_mass;
-    x->weight = find_above(x, c, f) * inverse / radius;
-    x->borne = x->load * inverse / (active_age(x, f) * radius);
+    x->weight = find_above(x, c, f) * inverse;
+    x->borne = x->load * inverse / active_age(x, f);
 }
 
 // Contact c, and which of its points come within reach.
@@ -67,9 +67,9 @@ static void activate(active_contact *x, const contact *c, const solver_frame *f,
         if (!(gap[k] < reach)) continue;
         x->point[x->count++] = (signed char)k;
     }
-    real radius = active_radius(x, f);
-    find_loads(x, c, f, radius);
-    x->is_deep = x->count > 0 && x->least < -CONTACT_DEEP * radius;
+    find_loads(x, c, f);
+    x->is_deep = x->count > 0
+              && x->least < -CONTACT_DEEP * active_radius(x, f);
 }
 
 // Is x the contact y of the frame before, with the same points?

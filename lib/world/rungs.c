@@ -180,7 +180,21 @@ static void add_choice(const rigid_tables *t, int b, substep_choice *to)
     to->frames = int_min(to->frames, t->choice[b].frames);
 }
 
-// How far the balls inside of an island's bodies reach along gravity, and how large
+// m: by a share of this may a body give way.  What is thin lies on its flat side, and
+// an overlap that its radius hides is its whole thickness.
+static real width_of(const rigid_tables *t, int b)
+{
+    return cache_width(&t->body[b], t->now[b].radius);
+}
+
+// Of the bodies of x that yield, the smaller.
+static real width_at(const rigid_tables *t, const active_contact *x)
+{
+    real width = width_of(t, x->a);
+    return x->sides == TWO_SIDED ? real_min(width, width_of(t, x->b)) : width;
+}
+
+// How far the balls inside of an island's bodies reach along gravity, and how wide
 // its bodies are.
 static void add_layer(const rigid_tables *t, int b, vec3 down, island *i)
 {
@@ -189,7 +203,7 @@ static void add_layer(const rigid_tables *t, int b, vec3 down, island *i)
     i->low = is_first ? at - inner : real_min(i->low, at - inner);
     i->high = is_first ? at + inner : real_max(i->high, at + inner);
     i->inner += inner;
-    i->radius += t->now[b].radius;
+    i->width += width_of(t, b);
     i->bodies++;
 }
 
@@ -278,8 +292,8 @@ static void ask_contacts(world *w)
         const active_contact *x = &t->solver.active[k];
         island *i = x->count > 0 ? rungs_island(w, x->a, -1) : NULL;
         if (!i) continue;
-        real borne = borne_by(t, x, i);
-        i->weight = real_max(i->weight, weight_on(t, x));
+        real width = width_at(t, x), borne = borne_by(t, x, i) / width;
+        i->weight = real_max(i->weight, weight_on(t, x) / width);
         i->squares += borne * borne;
         i->bears += borne > 0;
         if (x->sides == DRIVEN_SIDED) judge_island(w, i, x->a, x->b);

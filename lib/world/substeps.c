@@ -7,11 +7,12 @@
 // A contact that bears a force F gives way by F / (m w^2), with m the effective
 // mass of its two bodies and w the angular frequency of its spring, which is an
 // eighth of a whole turn in a substep (solver-pass).  A frame takes so many
-// substeps that this is at most GIVES, as a share of the smaller radius.
+// substeps that this is at most GIVES, as a share of the smaller radius, or of four
+// inner radii if that is less (cache_width).
 static const real GIVES = 0.0035;           // tuned, radii
 static const real EIGHTH_TURN = 0.7853981633974483;
 
-// For F / m beside the smaller radius, 1/s^2.
+// For F / m beside that, 1/s^2.
 static real substeps_to_bear(const world *w, real pace)
 {
     return w->options.dt * sqrt(pace / GIVES) / EIGHTH_TURN;
@@ -24,7 +25,7 @@ static real substeps_for_layers(const world *w, const island *i)
     if (!i->is_calm || i->hangs || i->bodies < 2) return 0;
     real layers = (i->high - i->low) * i->bodies / (2 * i->inner) - 1;
     real g = vec3_length(w->options.gravity);
-    return substeps_to_bear(w, g * layers * i->bodies / i->radius);
+    return substeps_to_bear(w, g * layers * i->bodies / i->width);
 }
 
 // The weight of what lies on others counts before it is felt, shared by all that it

@@ -169,11 +169,11 @@ typedef struct {
     real lift;          // N m/s, of all contacts that bear this one body
     real pulls;         // N, how hard gravity and forces pull, summed over bodies
     vec3 carried;       // N, what planes, static and driven bodies push it with
-    real weight;        // 1/s^2, the largest of its contacts, see solver.h, and
-    real squares;       // the sum of the squares of what they bear,
+    real weight;        // 1/s^2, the largest of its contacts beside the smaller
+    real squares;       // width; the sum of the squares of what they bear,
     int  bears;         // which are so many
     real low, high;     // m, along gravity, how far its bodies reach,
-    real inner, radius; // m, the sums of their radii,
+    real inner, width;  // m, the sums of their inner radii and cache_width,
     int  bodies;        // of which there are so many
     real pace;          // rad/s, of the fastest swing about its joints
     bool hangs;         // it has joints, or is soft:

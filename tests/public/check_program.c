@@ -1405,6 +1405,31 @@ START_TEST(balls_that_rain_on_balls_gain_nothing)
 }
 END_TEST
 
+// A share of 0.0035 of four inner radii is 0.014 of one.  The pair above the lowest
+// plate has half the effective mass, so it gives twice as much; half of that is room.
+// Rejects: the radius of what is thin, beside which a third of its inner radius is
+// little.
+START_TEST(a_stack_of_plates_gives_by_a_share_of_their_thickness)
+{
+    const int plates = 10;
+    const double sizes[] = { 0.02, 0.2, 2 }, share = 0.042;
+    for (int k = 0; k < 3; k++) {
+        double side = sizes[k], thick = side / 40;
+        tumble_world *w = with_floor();
+        tumble_shape s = tumble_shape_box(w, tumble_v(side, thick, side),
+                                          1000 * side * side * thick);
+        for (int i = 0; i < plates; i++)
+            tumble_body_add(w, s, tumble_body_at(0, (i + 0.5) * thick, 0));
+        run(w, 5);
+        ck_assert_int_eq(tumble_world_last_step(w).asleep, plates);
+        double deep = tumble_world_measure(w).penetration;
+        ck_assert_double_lt(deep, share * thick / 2);
+        expect_fine(w);
+        tumble_world_free(w);
+    }
+}
+END_TEST
+
 int main(void)
 {
     const TTest *const tests[] = {
@@ -1454,6 +1479,7 @@ int main(void)
         materials_cloth_and_filters_are_taken,
         nonsense_is_refused_in_a_sentence,
         balls_that_rain_on_balls_gain_nothing,
+        a_stack_of_plates_gives_by_a_share_of_their_thickness,
         what_is_stopped_stands_where_it_was,
         what_is_joined_gains_nothing_from_its_first_step,
         NULL

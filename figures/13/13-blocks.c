@@ -26,7 +26,7 @@ static motion velocity[BODIES + 1], moved[BODIES + 1];
 static plane ground = { { 0, 1, 0 }, 0 };
 static solver_frame frame = { .body = body, .bodies = BODIES, .plane = &ground,
     .h = 1.0 / 480, .warm = 1, .friction = 0.5, .hertz = 60, .damping = 10,
-    .max_speed = 3 };
+    .max_rate = 3 };
 static contact_solver solver;
 static plain_solver plain = { .frame = &frame, .contact = list, .gap = gap,
                               .velocity = velocity, .moved = moved,

@@ -56,7 +56,7 @@ static void tower_begin(tower *t, int substeps, int iterations)
     *t = (tower){ .substeps = substeps, .iterations = iterations, .warm = true,
                   .ground = { { 0, 1, 0 }, 0 } };
     t->frame = (solver_frame){ .h = 1.0 / 60 / substeps, .warm = 1,
-        .friction = 0.5, .hertz = 1e6, .damping = 10, .max_speed = 3 };
+        .friction = 0.5, .hertz = 1e6, .damping = 10, .max_rate = 3 };
 }
 
 static void tower_free(tower *t)

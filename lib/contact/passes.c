@@ -12,7 +12,7 @@ typedef struct {
     int  a, b;
     vec3 normal, across, aside;
     real across_impulse, aside_impulse, twist;
-    real per_near, round_a, round_b;
+    real radius, per_near, round_a, round_b;
     real has[CONTACT_POINTS], own[CONTACT_POINTS];
     real offset[CONTACT_POINTS], impulse[CONTACT_POINTS];
     vec3 local_a[CONTACT_POINTS], local_b[CONTACT_POINTS];
@@ -61,7 +61,8 @@ static void choose_lane(lane_source *q, const contact *c,
     *q = (lane_source){ .a = x->a, .b = spare };
     if (x->sides != ONE_SIDED) q->b = x->b;
     q->normal = vec3_scale(sign, c->normal);
-    q->per_near = NEAR / active_radius(x, f);
+    q->radius = active_radius(x, f);
+    q->per_near = NEAR / q->radius;
     q->round_a = x->is_swapped ? c->round_b : c->round_a;
     q->round_b = x->is_swapped ? c->round_a : c->round_b;
     q->twist = x->count > 1 ? warm * c->twist : 0;
@@ -102,6 +103,7 @@ static void transpose(block *k, const lane_source q[REAL4])
     k->rub[1] = LANES(q, .aside_impulse);
     k->rub[TWIST] = LANES(q, .twist);
     k->per_near = LANES(q, .per_near);
+    k->radius = LANES(q, .radius);
     k->round_a = LANES(q, .round_a);
     k->round_b = LANES(q, .round_b);
     k->is_round = real4_any(real4_add(k->round_a, k->round_b));
@@ -750,7 +752,8 @@ ALWAYS_INLINE real4 push_points(block *k, const solver_pass *q, pushing *w,
 {
     const softness *soft = &q->soft[q->sides];
     const real4 one = real4_all(1), zero = real4_all(0);
-    const real4 per_h = real4_all(q->per_h), most = real4_all(-q->max_speed);
+    const real4 per_h = real4_all(q->per_h);
+    const real4 most = real4_mul(real4_all(-q->max_rate), k->radius);
     const real4 rate = real4_all(soft->rate * soft->mass);
     const real4 soft_mass = real4_all(soft->mass);
     const real4 soft_impulse = real4_all(soft->impulse);

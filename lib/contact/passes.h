@@ -69,7 +69,8 @@ typedef struct {
     const material *wall;       // and so has each plane
     real hertz;                 // 1/s, of the contacts' springs, at most
     real damping;               // ratio, of their dampers
-    real max_speed;             // m/s, at which overlaps are pushed out, at most
+    real max_rate;              // 1/s, times the smaller radius: the speed at
+                                // which overlaps are pushed out, at most
     vec3 gravity;               // m/s^2, for impacts
     // Is told of each impact, and its impulse (N s); NULL: none is.
     void (*hear)(void *listener, const contact *c, real impulse);
@@ -153,6 +154,7 @@ typedef struct {
     bool  is_round;                     // some are
     real4 round_a, round_b;             // m, see contact
     real4 per_near;                     // 1/m, of a gap that is all but closed
+    real4 radius;                       // m, the smaller one
     real4 began[RUBS];                  // rub before this substep
     block_point *point;                 // [points] of the solver's
     block_place *place;                 // [points]
@@ -278,7 +280,7 @@ typedef struct {
     motion *velocity;
     const motion *moved;
     real per_h;             // 1/s
-    real max_speed;
+    real max_rate;
     real slowest;           // m/s, what closes more slowly does not strike
     softness soft[SIDES];
     int first, count, sides;    // the blocks of a colour

@@ -301,7 +301,7 @@ static void run_pass(contact_solver *s, const solver_frame *f,
                      solver_work *work)
 {
     solver_pass q = { .s = s, .f = f, .velocity = velocity, .moved = moved,
-               .per_h = 1 / f->h, .max_speed = f->max_speed,
+               .per_h = 1 / f->h, .max_rate = f->max_rate,
                .slowest = material_slowest(vec3_length(f->gravity), f->h) };
     for (int i = 0; i < SIDES; i++) q.soft[i] = softness_of(f, i);
     for (int c = 0; c < s->colors; c++) {

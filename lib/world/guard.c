@@ -103,12 +103,11 @@ void guard_begin(world *w, const solver_frame *f)
             add_soft_motion(budget_of(w, b), w, &w->body[b]);
     }
     real gravity = w->most_gravity * vec3_length(w->options.gravity);
-    real more = w->frame * gravity + f->max_speed
-              + (1 + f->restitution) * drive_fastest(w);
+    real more = w->frame * gravity + (1 + f->restitution) * drive_fastest(w);
     for (int k = 0; k < t->awakes; k++) {
         island *i = &t->island[t->awake[k]];
         real most = sqrt(i->energy) + sqrt(i->loads) + i->drives
-                  + sqrt(i->mass / 2) * more;
+                  + sqrt(i->mass / 2) * (more + f->max_rate * i->largest);
         i->most = most * most;
     }
 }

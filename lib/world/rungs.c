@@ -204,6 +204,7 @@ static void add_layer(const rigid_tables *t, int b, vec3 down, island *i)
     i->high = is_first ? at + inner : real_max(i->high, at + inner);
     i->inner += inner;
     i->width += width_of(t, b);
+    i->largest = real_max(i->largest, t->now[b].radius);
     i->bodies++;
 }
 

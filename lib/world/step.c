@@ -486,12 +486,11 @@ static void find_manifolds(world *w)
 
 //> step-prepare
 //>   Before the substeps, blocks are made of the contacts (chapter 13).
-// Contacts are damped ten times as much as would just not swing, and push out
-// at 3 m/s at most.  In smaller substeps their springs may be stiffer.
 // Overlaps are pushed out with ten times the damping that would just not swing
-// back, and no faster than this: so that nothing jumps out of one.
+// back, and no faster than by a radius in 18 frames: so that nothing jumps out of
+// one.
 static const real DAMPING = 10;             // tuned, 1
-static const real MAX_SPEED = 3;            // tuned, m/s
+static const real PARTS_BY = 0.055;         // tuned, radii a frame
 
 static solver_frame solver_frame_of(const world *w, int substeps)
 {
@@ -506,7 +505,7 @@ static solver_frame solver_frame_of(const world *w, int substeps)
         .friction = o->friction,
         .material = w->has_materials ? w->rigid.material : NULL,
         .wall = w->wall,
-        .hertz = o->hertz, .damping = DAMPING, .max_speed = MAX_SPEED,
+        .hertz = o->hertz, .damping = DAMPING, .max_rate = PARTS_BY / o->dt,
         .restitution = w->rigid.restitution, .gravity = o->gravity,
         .run = o->host.run };
 }

@@ -174,6 +174,7 @@ typedef struct {
     int  bears;         // which are so many
     real low, high;     // m, along gravity, how far its bodies reach,
     real inner, width;  // m, the sums of their inner radii and cache_width,
+    real largest;       // m, the largest radius of its bodies,
     int  bodies;        // of which there are so many
     real pace;          // rad/s, of the fastest swing about its joints
     bool hangs;         // it has joints, or is soft:

@@ -491,7 +491,7 @@ START_TEST(row_between_walls_keeps_its_energy)
     frame.h = 0.001;
     frame.hertz = 60;
     frame.damping = 10;
-    frame.max_speed = 3;
+    frame.max_rate = 3;
     for (int b = 0; b < BALLS + 2; b++) {
         bool is_wall = b == 0 || b == BALLS + 1;
         add_ball(vec3_make(1.1 * b, 0, 0), is_wall ? HUGE_VAL : any_size(0.5),

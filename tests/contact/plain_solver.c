@@ -129,15 +129,15 @@ static const rigid_frame *place_of(const plain_solver *s, int b)
     return lies(s, b) ? &s->frame->rows_at[b] : &s->body[b].frame;
 }
 
-// m: the 25th of the radius of the smaller of those that move.
-static real near_of(const plain_solver *s, const contact *c)
+// m: the radius of the smaller of those that move.
+static real radius_of(const plain_solver *s, const contact *c)
 {
-    real near = HUGE_VAL;
+    real radius = HUGE_VAL;
     const int side[2] = { c->a, c->b };
     for (int i = 0; i < 2; i++)
         if (side[i] >= 0 && s->body[side[i]].basis.inverse_mass > 0)
-            near = real_min(near, s->body[side[i]].radius / 25);
-    return near;
+            radius = real_min(radius, s->body[side[i]].radius);
+    return radius;
 }
 
 // The arms of point k of contact i.
@@ -166,7 +166,8 @@ static bool solve_normals(plain_solver *s, int i, softness soft, bool relaxes)
         real lacking = speed + gap / s->frame->h, leak = 0;
         if (gap <= 0) {
             real bias = soft.mass * soft.rate * gap;
-            lacking = soft.mass * speed + real_max(bias, -s->frame->max_speed);
+            real most = s->frame->max_rate * radius_of(s, c);
+            lacking = soft.mass * speed + real_max(bias, -most);
             leak = soft.impulse * was;
         }
         c->impulse[k] = real_max(was - mass * lacking - leak, 0);
@@ -204,7 +205,7 @@ static friction_center center_of(const plain_solver *s, int i, const pair *p)
 {
     const contact *c = s->contact[i];
     friction_center f = { .lever = 0 };
-    real near = near_of(s, c), sum = 0;
+    real near = radius_of(s, c) / 25, sum = 0;
     bool of_b = !(p->basis[0]->inverse_mass > 0);
     vec3 *arm = &f.arm[of_b];
     for (int k = 0; k < c->count; k++) {

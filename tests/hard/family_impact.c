@@ -297,13 +297,13 @@ static void thin_plates(hard_report *r, int fast)
 
 // ---- 189: coincident bodies part -------------------------------------------
 
-// Overlaps are pushed out at 3 m/s.  A body that overlaps many is pushed out at
-// that speed in all, whoever the others are: so n bodies that begin at one place
-// have no more energy, once they are apart, than if each went at 3 m/s.
+// Overlaps are pushed out by 0.055 radii a frame.  A body that overlaps many is pushed
+// out at that speed in all, whoever the others are: so n bodies that begin at one
+// place have no more energy, once they are apart, than if each went so fast.
 static void part_from(hard_report *r, family_worst *f, family_seed *seed, int n,
                       double jitter, int round, double step)
 {
-    const double out = 3;       // m/s
+    double out = 0.055 * 1.02 * (round ? 0.5 : sqrt(0.75)) / step;      // m/s
     tumble_world *w = weightless(step, 0.5, 0);
     tumble_shape s = round ? tumble_shape_sphere(w, 0.5, 1)
                            : tumble_shape_box(w, tumble_v(1, 1, 1), 1);

@@ -141,15 +141,17 @@ static void add_floor(tumble_world *w, const view *f)
                     o);
 }
 
-// Plays the scene, and writes where its bodies are then.
+// Plays the scene, and writes where its bodies are then.  Two defaults are in seconds:
+// that no substep is longer than 1/240 s, and the least time to sleep, so nothing
+// sleeps in these.  sleep_speed is that of a cube of 1 m, and scales by itself.
 static void play(hard_report *r, const view *f, scene k,
                  tumble_vec3 out[BODIES])
 {
     tumble_options o = tumble_options_default();
     double speed = f->length / f->time;
     o.dt *= f->time;
-    o.time_to_sleep *= f->time;
-    o.sleep_speed *= speed;
+    o.substeps = 4;
+    o.time_to_sleep = 10 * f->time;
     o.friction = 0.5;
     o.restitution = 0.25;
     o.gravity = v_scale(speed / f->time, v_turn(f->turn, o.gravity));

@@ -1430,6 +1430,27 @@ START_TEST(a_stack_of_plates_gives_by_a_share_of_their_thickness)
 }
 END_TEST
 
+// Nothing but its radius and the frame says how fast an overlap goes.
+// Rejects: a speed in m/s, which throws a pebble and leaves a mountain where it is.
+START_TEST(an_overlap_goes_in_as_many_frames_at_any_size)
+{
+    double rises = 0;
+    for (int k = -10; k <= 10; k += 5) {
+        double side = ldexp(1, k);
+        tumble_world *w = weightless();
+        tumble_plane_add(w, tumble_v(0, 1, 0), 0, -1);
+        tumble_shape s = tumble_shape_box(w, tumble_v(side, side, side), 1);
+        tumble_body b = tumble_body_add(w, s, tumble_body_at(0, 0, 0));
+        run(w, 0.1);
+        double here = tumble_body_position(w, b).y / side;
+        ck_assert(here > 0.1 && here < 0.5);
+        if (rises == 0) rises = here;
+        near(here, rises, 1e-12);
+        tumble_world_free(w);
+    }
+}
+END_TEST
+
 int main(void)
 {
     const TTest *const tests[] = {
@@ -1479,6 +1500,7 @@ int main(void)
         materials_cloth_and_filters_are_taken,
         nonsense_is_refused_in_a_sentence,
         balls_that_rain_on_balls_gain_nothing,
+        an_overlap_goes_in_as_many_frames_at_any_size,
         a_stack_of_plates_gives_by_a_share_of_their_thickness,
         what_is_stopped_stands_where_it_was,
         what_is_joined_gains_nothing_from_its_first_step,

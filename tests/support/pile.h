@@ -34,7 +34,7 @@ static inline void pile_clear(pile *p)
     *p = (pile){ .plane = { { { 0, 1, 0 }, 0 }, { { 0, 1, 0 }, -1 } } };
     p->frame = (solver_frame){ .body = p->body, .plane = p->plane,
         .h = 1.0 / 480, .warm = 1, .friction = 0.5, .hertz = 60, .damping = 10,
-        .max_speed = 3 };
+        .max_rate = 3 };
 }
 
 // A solid box, upright: static if its mass is 0.

@@ -717,7 +717,7 @@ START_TEST(old_overlap_is_pushed_out_and_not_thrown)
     for (int f = 0; f < 60; f++) {
         frames(1);
         real now = 0.25 - middle(0).y;
-        // At most 3 m/s.
+        // At most 0.055 radii a frame: 3 m/s for a cube of 1 m.
         if (deep > 0)
             ck_assert(now <= deep + 1e-3 && now >= deep - 3.0 / 60 - 1e-9);
         // Its corners come up one after the other, so that it rocks.
@@ -1247,7 +1247,7 @@ END_TEST
 
 // Needles of a hundredth of a millimetre under a hundred times gravity, thrown
 // about in a box of their own size, with a friction of 1000.  Beside gravity
-// only what pushes overlaps out, at 3 m/s in each of four parts of a frame,
+// only what pushes overlaps out, by 0.055 radii a frame in each of its four parts,
 // adds to their motion.
 // Rejects: impulses along rows of the frame's start that give energy; numbers
 // that grow until they are none.

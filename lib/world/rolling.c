@@ -46,8 +46,14 @@ static real slip_of(const rigid_tables *t, const contact *c)
     return speed_across(u, c->normal);
 }
 
-// Has it gained speed in this frame, by more than that resistance takes?  Then
-// something pulls it along, as on a slope, and it will not rest.
+// m/s: what that resistance takes of a speed in this frame, at most.
+static real taken_by(const world *w)
+{
+    return RESISTANCE * vec3_length(w->options.gravity) * w->frame;
+}
+
+// Has it gained speed in this frame, by more than that?  Then something pulls it
+// along, as on a slope, and it will not rest.
 static bool gains_speed(const world *w, const contact *c)
 {
     const rigid_tables *t = &w->rigid;
@@ -58,9 +64,8 @@ static bool gains_speed(const world *w, const contact *c)
         was = vec3_sub(was, t->ahead[c->b].way);
         now = vec3_sub(now, motion_at(&b->basis, &t->velocity[c->b], none));
     }
-    real most = RESISTANCE * vec3_length(w->options.gravity) * w->frame;
     return speed_across(now, c->normal)
-           > speed_across(was, c->normal) / w->frame + most;
+           > speed_across(was, c->normal) / w->frame + taken_by(w);
 }
 
 // The angular impulse, `most` (N m s) or less, that brakes this spin of A beside B.
@@ -79,7 +84,8 @@ static void brake(rigid_tables *t, const contact *c, vec3 spin, real most)
 }
 
 // The spin across the normal is rolling; that about it is braked if there is
-// friction.
+// friction, and is no slip.  What slips slides still, unless that is a small share of
+// its rolling, or over in this frame.
 static void brake_both(world *w, const contact *c, real load)
 {
     rigid_tables *t = &w->rigid;
@@ -88,11 +94,12 @@ static void brake_both(world *w, const contact *c, real load)
     if (c->b >= 0)
         spin = vec3_sub(spin, motion_rotation(&t->now[c->b].basis,
                                               &t->velocity[c->b]));
-    if (slip_of(t, c) > RESISTANCE * vec3_length(spin) * radius
-        || gains_speed(w, c)) return;
     vec3 point = vec3_scale(vec3_dot(spin, c->normal), c->normal);
     vec3 rolls = vec3_sub(spin, point);
-    if (vec3_length(rolls) * radius < slow_speed(&w->options, radius))
+    real speed = vec3_length(rolls) * radius;
+    if (slip_of(t, c) > real_max(RESISTANCE * speed, taken_by(w))
+        || gains_speed(w, c)) return;
+    if (speed < slow_speed(&w->options, radius))
         brake(t, c, rolls, most);
     if (friction_of(w, c) > 0) brake(t, c, point, most);
 }

@@ -393,6 +393,28 @@ START_TEST(ball_that_slides_ends_by_rolling_with_five_sevenths)
 }
 END_TEST
 
+// To a frame: friction of mu turns a ball that slides by 5/2 mu g t / r, however it
+// spins about the normal.
+// Rejects: slip that is small beside the whole spin, so that it counts as rolling.
+START_TEST(ball_that_slides_takes_up_rolling_whatever_it_spins_on_its_point)
+{
+    const real mu = 0.001;
+    world_options o = world_options_default();
+    o.friction = mu;
+    begin(o);
+    expect_ok(world_add_plane(&w, vec3_make(0, 1, 0), 0));
+    placement at = placement_at(vec3_make(0, .1, 0));
+    at.velocity = vec3_make(.05, 0, 0);
+    at.spin = vec3_make(0, 100, 0);
+    int b = add(&ball, at);
+    frames(60);
+    near(velocity(b).x, .05 - mu * 9.81, mu * 9.81 / 60);
+    vec3 spin = motion_rotation(&probe_start(&w, b)->basis,
+                                probe_velocity(&w, b));
+    near(spin.z, -2.5 * mu * 9.81 / .1, 2.5 * mu * 9.81 / 60 / .1);
+}
+END_TEST
+
 // s, until a ball of 0.1 m that rolls at 5 cm/s, and spins at 20 rad/s on its point,
 // sleeps; 30: it does not.
 static real until_still(real friction, real spin)
@@ -765,6 +787,7 @@ int main(void)
         ball_that_spins_reaches_nothing_by_it,
         ball_rolls_down_a_slope_with_five_sevenths,
         ball_that_slides_ends_by_rolling_with_five_sevenths,
+        ball_that_slides_takes_up_rolling_whatever_it_spins_on_its_point,
         ball_that_spins_on_its_point_comes_to_rest,
         ball_without_friction_slides,
         marble_rests_on_a_floor_in_a_corner_and_on_two_edges,

@@ -258,6 +258,48 @@ static void turn_freely(turning *x, real h)
 }
 //<
 
+//> motion-fastest
+//>   In how many moves does it turn? A number that changes as the body tumbles gives energy, or
+//>   takes it, with every change.
+// So it is that of the fastest that the body will ever spin.  While it turns freely,
+// the squares q of its angular momentum along its axes change so that their sum stays,
+// and the energy.  That leaves one line, along which the square of the spin grows
+// evenly, until the first q is 0.
+static real fastest_spin(const turning *x)
+{
+    real q[TURNS], along[TURNS], square = 0, grows = 0, far = HUGE_VAL;
+    for (int t = 0; t < TURNS; t++) {
+        real i = x->inverse[t], s = i * i;
+        q[t] = x->angular[t] * x->angular[t];
+        along[t] = x->inverse[(t + 1) % TURNS] - x->inverse[(t + 2) % TURNS];
+        square += s * q[t];
+        grows += s * along[t];
+    }
+    real sign = grows < 0 ? -1 : 1;
+    for (int t = 0; t < TURNS; t++)
+        if (sign * along[t] < 0) far = real_min(far, -q[t] / (sign * along[t]));
+    return sqrt(far < HUGE_VAL ? square + far * fabs(grows) : square);
+}
+
+// Most bodies are slow, even if all that they have were about their lightest axis.
+static bool is_slow(const turning *x, real h)
+{
+    real light = 0, square = 0;
+    for (int t = 0; t < TURNS; t++) {
+        light = real_max(light, x->inverse[t]);
+        square += x->angular[t] * x->angular[t];
+    }
+    return h * h * light * light * square < FURTHEST * FURTHEST;
+}
+
+static int free_moves(const turning *x, real h)
+{
+    if (is_slow(x, h)) return 1;
+    real parts = h * fastest_spin(x) / FURTHEST;
+    return parts < FREE_MOVES ? 1 + (int)parts : FREE_MOVES;
+}
+//<
+
 //> motion-advance
 //>   Every substep a body flies straight on, and turns. Its velocity follows from
 //>   the angular momentum.
@@ -280,10 +322,7 @@ void motion_advance(rigid_frame *frame, motion_basis *basis, motion *u, real h)
 {
     vec3 straight = { u->of[0], u->of[1], u->of[2] }, axis = { 0, 0, 0 };
     turning x = turning_of(frame, basis, u);
-    const real *w = u->of + MOTION_TURN, *root = x.root;
-    vec3 spin = { root[0] * w[0], root[1] * w[1], root[2] * w[2] };
-    real parts = h * vec3_length(spin) / FURTHEST;
-    int n = parts < FREE_MOVES ? 1 + (int)parts : FREE_MOVES;
+    int n = free_moves(&x, h);
     frame->center = vec3_add_scaled(frame->center, h, straight);
     for (int k = 0; k < n; k++) {
         turn_freely(&x, h / n);

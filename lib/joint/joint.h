@@ -92,8 +92,8 @@ typedef struct {
     unsigned locked;            // of a lock
     bool may_touch;
     bool is_broken;             // it holds no more
-    real impulse[JOINT_ROWS];   // N s, N m s, of each row, in the last
-                                // substep
+    real impulse[JOINT_ROWS];   // N s, N m s, of each row, with which the
+                                // next substep begins, and in it so far
     real force;                 // N, in that substep
     real given;                 // N, N m, of a drive, in that substep
     real own;                   // 1/kg, the pinned particle's, while strands
@@ -115,6 +115,8 @@ typedef struct {
     bool is_upper;              // the limit is the greater of the two
     real begun[JOINT_ROWS];     // the joint's impulse when the substep began,
     bool was_upper, was_broken; // and the rest, to begin it again
+    real pushed[JOINT_ROWS];    // the impulse before the bodies moved, and that
+    real older[JOINT_ROWS];     // of the substep before
     real inverse[JOINT_ROWS][JOINT_ROWS];   // of K
     real answer[JOINT_ROWS][MOTIONS];   // how a unit impulse along a row moves
                                         // the body that leads on,

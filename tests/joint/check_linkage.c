@@ -219,6 +219,49 @@ START_TEST(what_is_begun_again_goes_as_it_went)
 }
 END_TEST
 
+// rad/s; m, from the joint.
+static const real SPIN = 20, ARM = 0.5;
+
+// A body on a point of the world turns about it, for some substeps.
+static void turn_about_a_point(const linkage_pass *q)
+{
+    solver_body *x = &solid[0];
+    real length = vec3_length(x->basis.turn[2]);
+    velocity[0] = (motion){ { SPIN * ARM, 0, 0, 0, 0, SPIN / length } };
+    joint_plan p = { .kind = JOINT_BALL, .a = -1, .b = 0,
+                     .point = { 0, ARM, 0 } };
+    x->frame.center = (vec3){ 0, 0, 0 };
+    joint j = joint_make(&p, &JOINT_WORLD, &x->frame);
+    expect_ok(linkage_add(&l, &j, NULL));
+    linkage_prepare(&l, q);
+    for (int n = 0; n < 20; n++) {
+        linkage_begin(&l, q);
+        linkage_push(&l, q);
+        linkage_go(&l, q, 0, x);
+        linkage_relax(&l, q);
+    }
+}
+
+START_TEST(what_swings_evenly_begins_with_what_it_will_need)
+{
+    // On a circle a joint pulls the body aside by (h spin)^2 / 2 of its arm, in a
+    // direction that turns by h spin in every substep.  As it grew it will grow:
+    // what is left is of the next order.  Rejects: to begin with what joints gave
+    // altogether, in the last substep, or with what they gave before the move.
+    throw_bodies();
+    linkage_pass q = pass();
+    turn_about_a_point(&q);
+    linkage_begin(&l, &q);
+    solver_body end;
+    linkage_go(&l, &q, 0, &end);
+    vec3 at = frame_point(&end.frame, l.joint[0].local_b);
+    real off = vec3_distance(at, l.joint[0].local_a) / ARM;
+    real step = q.f->h * SPIN;
+    ck_assert_msg(off < step * step * step, "off by %g of the arm, a step is %g",
+                  off, step);
+}
+END_TEST
+
 START_TEST(pairs_that_are_joined_are_kept_apart)
 {
     throw_bodies();
@@ -259,6 +302,7 @@ int main(void)
         impulses_are_handed_from_body_to_body,
         limit_gives_back_what_it_pushed_too_much,
         what_is_begun_again_goes_as_it_went,
+        what_swings_evenly_begins_with_what_it_will_need,
         pairs_that_are_joined_are_kept_apart,
         nothing_joined_costs_nothing,
         NULL

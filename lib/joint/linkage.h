@@ -32,6 +32,7 @@ typedef struct {
     int  group;             // union-find: a body of its tree
     int  first;             // of that body: the first joint of the tree
     bool is_ready;          // of the root: matrices are made;
+    bool is_solved;         // it was solved before this move;
     bool is_settled;        // nothing is left to be solved;
     bool is_limited;        // some joint has a limit
     int  branches, one;     // not yet followed; the last, if there is one
@@ -135,9 +136,9 @@ void linkage_scale(linkage *l, real times);
 // (warm starting);
 void linkage_begin(linkage *l, const linkage_pass *q);
 
-// brings the joints together by its end; before the contacts push, and once
-// more after them, so that an impact does not pull a joint apart;
-void linkage_push(linkage *l, const linkage_pass *q);
+// brings the joints together by its end: before the contacts push, mostly by one
+// solve, and to the last after them, so that an impact pulls no joint apart;
+void linkage_push(linkage *l, const linkage_pass *q, bool is_last);
 
 // puts a joined body where it goes;
 void linkage_go(linkage *l, const linkage_pass *q, int b, solver_body *now);

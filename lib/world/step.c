@@ -634,10 +634,10 @@ static void substep(world *w, const solver_frame *f, real *since)
     bounce(w, f);
     solver_warm(&t->solver, f, t->velocity);
     if (r->hangs) linkage_begin(&w->joints, &joints);
-    if (r->hangs) linkage_push(&w->joints, &joints);
+    if (r->hangs) linkage_push(&w->joints, &joints, false);
     solver_push(&t->solver, f, t->velocity, t->moved);
     blow_stop(&t->solver, f, t->velocity);
-    if (r->hangs) linkage_push(&w->joints, &joints);
+    if (r->hangs) linkage_push(&w->joints, &joints, true);
     advance_bodies(w, f->h);
     renew(w, *f);
     ledger_halfway(w, -f->h / 2);

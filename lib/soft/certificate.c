@@ -1042,14 +1042,19 @@ static void certify(const frame_look *l)
 //> certificate-frame
 //>   What it has added to a way, it adds to the velocity. A long frame has more
 //>   than one way.
+void certificate_carry(const certificate *c, const soft_frame *f, particle *p,
+                       vec3 by)
+{
+    p->previous = vec3_add_scaled(p->previous, 1 - f->age / c->since, by);
+}
+
 static void take_back_vertex(const frame_look *l, int v)
 {
-    const soft_frame *f = l->f;
-    particle *p = &f->particle[v];
+    particle *p = &l->f->particle[v];
     vec3 by = vec3_sub(l->c->at[1][v], p->position);
     if (!(vec3_length_squared(by) > 0)) return;
     p->position = l->c->at[1][v];
-    p->previous = vec3_add_scaled(p->previous, 1 - f->age / l->c->since, by);
+    certificate_carry(l->c, l->f, p, by);
 }
 
 // A vertex that is lost stands still for all others.

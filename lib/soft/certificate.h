@@ -140,5 +140,9 @@ bool certificate_is_due(certificate *c, const soft_frame *f);
 // beside them.
 void certificate_end(certificate *c, const soft_frame *f);
 
+// A particle has been moved at the end of a way: that is a part of all of it.
+void certificate_carry(const certificate *c, const soft_frame *f, particle *p,
+                       vec3 by);
+
 #endif
 //<

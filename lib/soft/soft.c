@@ -220,17 +220,16 @@ static relax_options relax_options_of(const soft_frame *f, const shape *s)
     return o;
 }
 
-static void relax_soft(soft_solver *s, const soft_frame *f, const body *b)
+static void relax_soft(soft_solver *s, const soft_frame *f, const body *b,
+                       line_hold *hold)
 {
     const shape *plan = b->shape;
     particle *p = f->particle + b->first;
-    line_hold *hold = f->hold + b->first;
     int links = shape_links(plan);
     bool is_held = s->held[b - f->body];
     relax_options o = relax_options_of(f, plan);
     real give = compliance_of(b, is_held) / (f->h * f->h);
     line_result l = lines_relax(plan, p, f->iterations, o, hold, give, b->line);
-    for (int i = 0; i < plan->particles; i++) calm(&p[i], &hold[i]);
     s->tested += l.steps * links;
     s->relaxed += l.steps * links;
     s->fell_back += l.fell_back;
@@ -241,8 +240,14 @@ static void relax_soft(soft_solver *s, const soft_frame *f, const body *b)
 
 void soft_relax(soft_solver *s, const soft_frame *f)
 {
-    for (int n = 0; n < f->softs; n++)
-        if (soft_moves(f, f->soft[n])) relax_soft(s, f, &f->body[f->soft[n]]);
+    for (int n = 0; n < f->softs; n++) {
+        const body *b = &f->body[f->soft[n]];
+        line_hold *hold = f->hold + b->first;
+        if (!soft_moves(f, f->soft[n])) continue;
+        relax_soft(s, f, b, hold);
+        for (int i = 0; i < body_particles(b); i++)
+            calm(&f->particle[b->first + i], &hold[i]);
+    }
 }
 //<
 
@@ -254,6 +259,43 @@ real soft_energy(const body *b, const particle *all)
     const particle *p = all + b->first;
     return bend_energy(b->shape, b->bending, p)
          + links_energy(b->shape, b->compliance, p);
+}
+//<
+
+//> soft-certify
+//>   What was parted is drawn together again, and proved again.
+// What parts facets asks no link, and may strain all that is around.  So the
+// strands have another turn from there, and so has the proof, until none clashes
+// or so often.  Of 360 small sheets with oblong cells 115 are strained by more
+// than 1 % without, 24 with four turns, 4 with eight, and 2 with sixteen.
+enum { TURNS_OF_PROOF = 8 };                // tuned, turns
+
+static void draw_parted(soft_solver *s, const soft_frame *f, const body *b)
+{
+    const certificate *c = &s->proof;
+    relax_soft(s, f, b, NULL);
+    for (int v = b->first; v < b->first + body_particles(b); v++) {
+        particle *p = &f->particle[v];
+        certificate_carry(c, f, p, vec3_sub(p->position, c->at[0][v]));
+    }
+}
+
+void soft_certify(soft_solver *s, const soft_frame *f)
+{
+    certificate *c = &s->proof;
+    real since = c->since;
+    certificate_end(c, f);
+    int prevented = c->prevented;
+    for (int k = 0; k < TURNS_OF_PROOF && c->prevented > 0; k++) {
+        c->since = since;
+        for (int n = 0; n < f->softs; n++) {
+            const body *b = &f->body[f->soft[n]];
+            if (b->shape->rows > 1 && soft_moves(f, f->soft[n]))
+                draw_parted(s, f, b);
+        }
+        certificate_end(c, f);
+    }
+    c->prevented = prevented;
 }
 //<
 
@@ -271,11 +313,6 @@ static bool is_stretched(const shape *s, const particle *p)
             return true;
     }
     return false;
-}
-
-void soft_certify(soft_solver *s, const soft_frame *f)
-{
-    certificate_end(&s->proof, f);
 }
 
 int soft_stretched(const soft_frame *f)

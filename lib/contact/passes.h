@@ -36,6 +36,8 @@ typedef struct {
     real radius;        // m, around its centre
     bool is_driven;     // its velocity is set, whatever pushes it: its basis is
                         // that of a body so heavy that no push shows
+    bool is_joined;     // joints have rows of it in this basis
+    bool is_struck;     // an impact has put it elsewhere in this substep
 } solver_body;
 
 // Where are the rows of a body made?  Where it stands when a substep ends;

@@ -10,6 +10,7 @@ typedef struct {
     const solver_frame *f;
     real pull;                  // m/s^2, of gravity
     real least;                 // m/s: what is passed on more slowly is left
+    solver_body *body;
     motion *velocity, *moved;
 } impact_solver;
 
@@ -20,9 +21,9 @@ static real strike(const impact_solver *s, const contact *c);
 static const real PASSED_ON = 0.1;          // tuned, 1
 
 int restitution_solve(const contact *const *table, int n, const solver_frame *f,
-                      motion *velocity, motion *moved)
+                      solver_body *body, motion *velocity, motion *moved)
 {
-    impact_solver s = { f, vec3_length(f->gravity), 0, velocity, moved };
+    impact_solver s = { f, vec3_length(f->gravity), 0, body, velocity, moved };
     int impacts = 0, before = -1;
     real fastest = 0;
     assert(f->restitution >= 0 && f->restitution <= 1);
@@ -54,7 +55,9 @@ typedef struct {
     contact c;                  // the same, as it is at the time of the impact
     impact_pair pair;
     contact_arms arm[CONTACT_POINTS];   // of all points of the contact
-    motion u[BODIES];           // velocities at the time of the impact
+    rigid_frame at[BODIES];     // at the time of the impact they stand here,
+    motion_basis basis[BODIES];
+    motion u[BODIES];           // with these velocities
     real time;                  // of the impact, as a share of the substep
     impact_set set;
     int  point[CONTACT_POINTS];         // that each row is of
@@ -62,11 +65,10 @@ typedef struct {
 
 static void begin_impact(impact *x, const impact_solver *s, const contact *c);
 static bool meets_fast(const impact_solver *s, impact *x, real slowest);
-static void stand_at(const impact *x, const impact_solver *s, real t,
-                     rigid_frame at[BODIES]);
 typedef contact_arms arms_of(const contact *c, int k, const rigid_frame *a,
                              const rigid_frame *b);
-static void find_impact_arms(impact *x, const rigid_frame at[BODIES], arms_of *of);
+static void stand_at(impact *x, const impact_solver *s, real t, arms_of *of);
+static bool goes_freely(const impact_solver *s, int body);
 static void find_touching(impact *x, const impact_solver *s);
 static void push_impact(impact *x, real restitution);
 static void rub(impact *x, real friction);
@@ -86,14 +88,26 @@ static void fall_in_impact(const impact_pair *p, vec3 gravity, real time,
     }
 }
 
-// The body goes with its new velocity, but only for the rest of the substep.
-static void settle_body(const impact_solver *s, int body, const motion *u,
-                        real time)
+// The body goes with its new velocity, but only for the rest of the substep: what
+// flies freely flies back with it from where it struck, so that it keeps its energy
+// and its angular momentum, whatever its moments of inertia.
+static void settle_body(const impact_solver *s, int body, impact *x, int side)
 {
     motion *velocity = &s->velocity[body], *moved = &s->moved[body];
+    real time = x->time * s->f->h;
+    if (goes_freely(s, body)) {
+        solver_body *now = &s->body[body];
+        motion_advance(&x->at[side], &x->basis[side], &x->u[side], -time);
+        now->frame = x->at[side];
+        now->basis = x->basis[side];
+        now->is_struck = true;
+        *velocity = x->u[side];
+        *moved = (motion){ { 0 } };
+        return;
+    }
     for (int k = 0; k < MOTIONS; k++) {
-        moved->of[k] += (velocity->of[k] - u->of[k]) * time * s->f->h;
-        velocity->of[k] = u->of[k];
+        moved->of[k] += (velocity->of[k] - x->u[side].of[k]) * time;
+        velocity->of[k] = x->u[side].of[k];
     }
 }
 
@@ -121,8 +135,8 @@ static real strike(const impact_solver *s, const contact *c)
     if (f->hear) f->hear(f->listener, c, impact_sum(&x));
     rub(&x, m.friction);
     fall_in_impact(&x.pair, vec3_scale(f->h, f->gravity), 0.5 - x.time, x.u);
-    if (x.pair.falls[A]) settle_body(s, c->a, &x.u[A], x.time);
-    if (x.pair.falls[B]) settle_body(s, c->b, &x.u[B], x.time);
+    if (x.pair.falls[A]) settle_body(s, c->a, &x, A);
+    if (x.pair.falls[B]) settle_body(s, c->b, &x, B);
     return speed;
 }
 //<
@@ -206,18 +220,33 @@ static void begin_impact(impact *x, const impact_solver *s, const contact *c)
     if (c->b >= 0 && f->body[c->b].is_driven) x->pair.falls[B] = false;
 }
 
-// Where the two bodies are at a time t (a share of the substep).
-static void stand_at(const impact *x, const impact_solver *s, real t,
-                     rigid_frame at[BODIES])
+// Not what is displaced while its rows stay: what is joined, and what turns beside
+// a driven body.
+static bool goes_freely(const impact_solver *s, int body)
 {
-    const contact *c = x->found;
-    for (int side = A; side < BODIES; side++) {
-        int b = side == A ? c->a : c->b;
-        if (b < 0) continue;
-        motion d = s->moved[b];
-        for (int i = 0; i < MOTIONS; i++) d.of[i] += t * s->f->h * x->u[side].of[i];
-        at[side] = motion_frame(&s->f->body[b].frame, &s->f->body[b].basis, &d);
+    const char *kind = s->f->is_elsewhere;
+    const solver_body *now = &s->body[body];
+    return now->basis.inverse_mass > 0 && !now->is_driven && !now->is_joined
+        && !(kind && kind[body] == GOES_BY_HALVES);
+}
+
+// Where a body is at a time t (s), and how it goes there.
+static void go_to(impact *x, const impact_solver *s, int side, int b, real t)
+{
+    motion d = s->moved[b], *u = &x->u[side];
+    const solver_body *now = &s->body[b];
+    x->basis[side] = now->basis;
+    x->at[side] = now->frame;
+    *u = s->velocity[b];
+    x->pair.basis[side] = &x->basis[side];
+    if (goes_freely(s, b)) {
+        if (motion_is_some(&d))
+            motion_displace(&x->at[side], &x->basis[side], u, &d);
+        motion_advance(&x->at[side], &x->basis[side], u, t);
+        return;
     }
+    for (int i = 0; i < MOTIONS; i++) d.of[i] += t * u->of[i];
+    x->at[side] = motion_frame(&now->frame, &now->basis, &d);
 }
 
 static bool are_balls(const contact *c)
@@ -254,19 +283,24 @@ bool restitution_face(contact *c, const solver_frame *f,
     return true;
 }
 
-// A gap closes as each side goes; both are struck at one place.
-static void find_impact_arms(impact *x, const rigid_frame at[BODIES], arms_of *of)
+// The bodies stand as they do at a time t (a share of the substep).  A gap closes as
+// each side goes; both are struck at one place.
+static void stand_at(impact *x, const impact_solver *s, real t, arms_of *of)
 {
-    for (int k = 0; k < x->c.count; k++)
-        x->arm[k] = of(&x->c, k, &at[A], x->c.b < 0 ? NULL : &at[B]);
+    const contact *c = x->found;
+    go_to(x, s, A, c->a, t * s->f->h);
+    if (c->b >= 0) go_to(x, s, B, c->b, t * s->f->h);
+    face_each_other(&x->c, x->at);
+    for (int k = 0; k < c->count; k++)
+        x->arm[k] = of(&x->c, k, &x->at[A], c->b < 0 ? NULL : &x->at[B]);
 }
 
 static void find_impact_gaps(const impact *x, const impact_solver *s,
-                             const rigid_frame at[BODIES], real gap[CONTACT_POINTS])
+                             real gap[CONTACT_POINTS])
 {
     const contact *c = &x->c;
     real height = c->b < 0 ? s->f->plane[-1 - c->b].offset : 0;
-    contact_gaps(c, &at[A], c->b < 0 ? NULL : &at[B], height, gap);
+    contact_gaps(c, &x->at[A], c->b < 0 ? NULL : &x->at[B], height, gap);
 }
 //<
 
@@ -287,12 +321,11 @@ static real time_of_touch(real gap, real closing, real a)
 
 // When do they first touch, as they stand and go at the time x->time?  A share
 // of the substep.
-static real first_touch(impact *x, const impact_solver *s,
-                        const rigid_frame at[BODIES], real acceleration)
+static real first_touch(impact *x, const impact_solver *s, real acceleration)
 {
     const impact_pair *p = &x->pair;
     real gap[CONTACT_POINTS], least = HUGE_VAL, h = s->f->h;
-    find_impact_gaps(x, s, at, gap);
+    find_impact_gaps(x, s, gap);
     for (int k = 0; k < x->c.count; k++) {
         const vec3 arm[BODIES] = { x->arm[k].a, x->arm[k].b };
         impact_row row = row_along(p, x->c.normal, arm);
@@ -307,11 +340,10 @@ static real first_touch(impact *x, const impact_solver *s,
 // What touches a thousandth of a substep too late takes part as well: rounding
 // is not to decide which corners of a face do.  They strike together, when the
 // first of them touches.
-static void take_touching(impact *x, const impact_solver *s,
-                          const rigid_frame at[BODIES])
+static void take_touching(impact *x, const impact_solver *s)
 {
     real gap[CONTACT_POINTS], h = s->f->h;
-    find_impact_gaps(x, s, at, gap);
+    find_impact_gaps(x, s, gap);
     for (int k = 0; k < x->c.count; k++) {
         const vec3 arm[BODIES] = { x->arm[k].a, x->arm[k].b };
         impact_row row = row_along(&x->pair, x->c.normal, arm);
@@ -332,25 +364,20 @@ static void find_touching(impact *x, const impact_solver *s)
     real h = s->f->h;
     real a = (p->falls[B] - p->falls[A])
            * vec3_dot(s->f->gravity, x->found->normal) * h * h;
-    rigid_frame at[BODIES];
     x->time = 0;
     x->c = *x->found;
     impact_begin(&x->set);
     for (int n = 0; n < TOUCH_STEPS; n++) {
-        stand_at(x, s, x->time, at);
-        face_each_other(&x->c, at);
-        find_impact_arms(x, at, contact_sides_of);
-        real time = first_touch(x, s, at, a);
+        stand_at(x, s, x->time, contact_sides_of);
+        real time = first_touch(x, s, a);
         if (!(time < HUGE_VAL)) return;
         bool is_there = fabs(time - x->time) < 1e-9;
         x->time = time;
         if (is_there) break;
     }
-    stand_at(x, s, x->time, at);
-    face_each_other(&x->c, at);
-    find_impact_arms(x, at, contact_arms_of);
+    stand_at(x, s, x->time, contact_arms_of);
     fall_in_impact(p, vec3_scale(h, s->f->gravity), x->time - 0.5, x->u);
-    take_touching(x, s, at);
+    take_touching(x, s);
 }
 //<
 

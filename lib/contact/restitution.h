@@ -22,8 +22,10 @@
 //
 // velocity and moved, [bodies], say how the bodies move in this substep, with
 // gravity in it, and how far they have gone since they got their frames.
-// moved changes as well, so that the end of the substep is where a body comes
-// that has its old velocity before the impact and the new one after it.
+// The end of the substep is where a body comes that has its old velocity before
+// the impact and the new one after it.  So what flies freely is put, in `body`,
+// which is f->body, to where it would have begun with its new velocity: it
+// is_struck.  Of what is joined, or beside a driven body, `moved` changes.
 //
 // No impact adds energy, to rounding, whatever its bodies, points and friction;
 // with restitution 1 and no friction, none takes any.  It keeps the momentum of
@@ -35,7 +37,7 @@
 // follow: bodies that part after an impact are not held by the solver.
 enum { IMPACT_ROUNDS = 8 };     // tuned, rounds
 int restitution_solve(const contact *const *table, int n, const solver_frame *f,
-                      motion *velocity, motion *moved);
+                      solver_body *body, motion *velocity, motion *moved);
 
 // If c is of two balls, its normal becomes the line of their centres when the
 // substep ends, as they go now.  Returns whether it is.

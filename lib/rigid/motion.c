@@ -295,7 +295,7 @@ static bool is_slow(const turning *x, real h)
 static int free_moves(const turning *x, real h)
 {
     if (is_slow(x, h)) return 1;
-    real parts = h * fastest_spin(x) / FURTHEST;
+    real parts = fabs(h) * fastest_spin(x) / FURTHEST;
     return parts < FREE_MOVES ? 1 + (int)parts : FREE_MOVES;
 }
 //<

@@ -56,7 +56,8 @@ void advance_begin(world *w)
         int b = t->awake[k];
         t->going[b] = GOES_EXACTLY;
         t->fresh[b] = t->moves[b];
-        t->touches[b] = (char)(t->moves[b] && linkage_has(&w->joints, b));
+        t->now[b].is_joined = linkage_has(&w->joints, b);
+        t->touches[b] = (char)(t->moves[b] && t->now[b].is_joined);
         t->began[b] = t->now[b].frame;
     }
     for (int k = 0; k < t->solver.contacts; k++) {
@@ -93,15 +94,15 @@ static bool displace(world *w, int b)
     return true;
 }
 
-// The rows of joints are made already, in the basis that bodies have.
+// What was struck is where it would have begun with its new velocity.
 void advance_struck(world *w)
 {
     rigid_tables *t = &w->rigid;
     for (int k = 0; k < t->awakes; k++) {
         int b = t->awake[k];
-        bool is_free = t->moves[b] && t->going[b] == GOES_EXACTLY
-                    && !t->now[b].is_driven && !linkage_has(&w->joints, b);
-        t->fresh[b] = is_free && displace(w, b);
+        t->fresh[b] = t->now[b].is_struck;
+        if (t->fresh[b] && t->going[b] == LIES) t->going[b] = GOES_EXACTLY;
+        t->now[b].is_struck = false;
     }
 }
 

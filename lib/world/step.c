@@ -616,7 +616,7 @@ static void bounce(world *w, const solver_frame *f)
     if (!s->strikes) return;
     face_balls(w, f);
     if (!restitution_solve(contact_table(w) + s->first, s->end - s->first, f,
-                           t->velocity, t->moved)) return;
+                           t->now, t->velocity, t->moved)) return;
     advance_struck(w);
     face_balls(w, f);
     renew(w, *f);

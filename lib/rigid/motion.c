@@ -259,8 +259,8 @@ static void turn_freely(turning *x, real h)
 //<
 
 //> motion-fastest
-//>   In how many moves does it turn? A number that changes as the body tumbles gives energy, or
-//>   takes it, with every change.
+//>   In how many moves does it turn? A number that changes as the body tumbles gives
+//>   energy, or takes it, with every change.
 // So it is that of the fastest that the body will ever spin.  While it turns freely,
 // the squares q of its angular momentum along its axes change so that their sum stays,
 // and the energy.  That leaves one line, along which the square of the spin grows

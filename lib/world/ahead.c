@@ -25,11 +25,6 @@ static real arc_of(const world *w, int b, vec3 spin, real turn)
     return turn > 2 ? 2 * out : real_min(most, out * turn);
 }
 
-static real width_of(const world *w, int b)
-{
-    return cache_width(&w->rigid.body[b], w->rigid.now[b].radius);
-}
-
 static prediction predict(const world *w, int b, real dt)
 {
     const solver_body *now = &w->rigid.now[b];
@@ -37,7 +32,7 @@ static prediction predict(const world *w, int b, real dt)
     vec3 straight = { u->of[0], u->of[1], u->of[2] };
     vec3 spin = motion_rotation(&now->basis, u);
     real beside = vec3_length(body_gravity(w, b)) * dt * dt / 2
-                + width_of(w, b) / HUNDREDTH;
+                + rigid_width(&w->rigid, b) / HUNDREDTH;
     if (now->is_driven) beside = 0;
     if (w->rigid.is_loaded && !now->is_driven) {
         motion more = world_load(w, b, dt);
@@ -65,7 +60,7 @@ static rigid_frame find_middle(const world *w, int b, real seconds)
 {
     const solver_body *now = &w->rigid.now[b];
     const prediction *p = &w->rigid.ahead[b];
-    real turn = p->arc / width_of(w, b) * real_max(p->angle / 2, 1);
+    real turn = p->arc / rigid_width(&w->rigid, b) * real_max(p->angle / 2, 1);
     motion half = { { 0 } };
     seconds /= 2;
     if (turn < NO_TURN) return now->frame;
@@ -109,7 +104,7 @@ static real find_turned(const world *w, int b)
     real out = t->now[b].radius - w->body[b].round;
     if (!t->moves[b] || t->going[b] == LIES || !(out > 0)) return 0;
     real gone = out * advance_turned(w, b, &t->cache.placed[b]);
-    return gone > MANIFOLD_TURN * width_of(w, b) ? gone : 0;
+    return gone > MANIFOLD_TURN * rigid_width(&w->rigid, b) ? gone : 0;
 }
 
 static bool find_all_turned(world *w)

@@ -432,7 +432,7 @@ static close_pair pair_of(const rigid_tables *t, const int side[2])
     return p;
 }
 
-static vec3 way_of(const motion *u)
+static vec3 straight_of(const motion *u)
 {
     return vec3_make(u->of[0], u->of[1], u->of[2]);
 }
@@ -440,7 +440,7 @@ static vec3 way_of(const motion *u)
 static vec3 angular_of(const close_pair *p)
 {
     real sum = p->basis[0].inverse_mass + p->basis[1].inverse_mass;
-    vec3 apart = vec3_sub(way_of(&p->u[0]), way_of(&p->u[1]));
+    vec3 apart = vec3_sub(straight_of(&p->u[0]), straight_of(&p->u[1]));
     vec3 own = vec3_add(motion_angular(&p->basis[0], &p->u[0]),
                         motion_angular(&p->basis[1], &p->u[1]));
     return vec3_add_scaled(own, 1 / sum, vec3_cross(p->r, apart));

@@ -180,18 +180,13 @@ static void add_choice(const rigid_tables *t, int b, substep_choice *to)
     to->frames = int_min(to->frames, t->choice[b].frames);
 }
 
-// m: by a share of this may a body give way.  What is thin lies on its flat side, and
-// an overlap that its radius hides is its whole thickness.
-static real width_of(const rigid_tables *t, int b)
-{
-    return cache_width(&t->body[b], t->now[b].radius);
-}
-
-// Of the bodies of x that yield, the smaller.
+// m: by a share of this may a contact give way: the width of the smaller of its bodies
+// that yield.  What is thin lies on its flat side, and an overlap that its radius hides
+// is its whole thickness.
 static real width_at(const rigid_tables *t, const active_contact *x)
 {
-    real width = width_of(t, x->a);
-    return x->sides == TWO_SIDED ? real_min(width, width_of(t, x->b)) : width;
+    real width = rigid_width(t, x->a);
+    return x->sides == TWO_SIDED ? real_min(width, rigid_width(t, x->b)) : width;
 }
 
 // How far the balls inside of an island's bodies reach along gravity, and how wide
@@ -203,7 +198,7 @@ static void add_layer(const rigid_tables *t, int b, vec3 down, island *i)
     i->low = is_first ? at - inner : real_min(i->low, at - inner);
     i->high = is_first ? at + inner : real_max(i->high, at + inner);
     i->inner += inner;
-    i->width += width_of(t, b);
+    i->width += rigid_width(t, b);
     i->largest = real_max(i->largest, t->now[b].radius);
     i->bodies++;
 }

@@ -409,6 +409,12 @@ static inline real body_age(const world *w, int b)
     return body_is_soft(&w->body[b]) ? w->age : w->rigid.age[b];
 }
 
+// m, the radius of a body; of what is thin, less (cache_width).
+static inline real rigid_width(const rigid_tables *t, int b)
+{
+    return cache_width(&t->body[b], t->now[b].radius);
+}
+
 // s: the velocity of rigid body b is that of a moment so long ago, the middle of its
 // last substep.  Gravity has gone on since then, unless contacts or joints held it.
 static inline real rigid_since(const world *w, int b)

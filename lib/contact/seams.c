@@ -28,6 +28,8 @@ typedef struct {
     int  points;
     vec3 at[CONTACT_POINTS];    // m, on B's surface
     bool is_new;        // found in this frame, and B is a floor for A
+    bool is_left;       // A touched it before this frame, and does no more
+    bool is_spent;      // what it carried then was handed on
     bool is_covered, is_hidden;
     bool is_merged;     // a floor was sought for it
 } side;
@@ -173,7 +175,8 @@ static bool is_covered(const slider *s, const side *b, int c)
 static bool is_covered_by_any(const slider *s, const side *b)
 {
     for (int i = 0; i < s->sides; i++)
-        if (s->side[i].b != b->b && is_covered(s, b, s->side[i].b)) return true;
+        if (s->side[i].b != b->b && !s->side[i].is_left
+            && is_covered(s, b, s->side[i].b)) return true;
     return false;
 }
 
@@ -286,14 +289,14 @@ static manifold find_along(const slider *s, const contact *x, vec3 m)
 //>   The contact gets other points, and the load that it had.
 // Each point of what was hands its impulse to the nearest, as contact_inherit
 // does; none, if the normal was further off than that (a cosine).
-static void carry_load(const slider *s, const side *x, const contact *was,
+static bool carry_load(const slider *s, const side *x, const contact *was,
                        real alike)
 {
     contact *t = x->contact;
     bool is_a = t->piece_a == s->a, was_a = was->piece_a == s->a;
     real sign = is_a == was_a ? 1 : -1;
     if (!(vec3_dot(t->normal, vec3_scale(sign, was->normal)) >= alike)
-        || t->count == 0) return;
+        || t->count == 0) return false;
     for (int k = 0; k < was->count; k++) {
         const contact_point *p = &was->point[k];
         vec3 local = was_a ? p->local_a : p->local_b;
@@ -301,6 +304,7 @@ static void carry_load(const slider *s, const side *x, const contact *was,
     }
     t->friction = vec3_add_scaled(t->friction, sign, was->friction);
     t->twist += was->twist;
+    return true;
 }
 
 static void take_manifold(const slider *s, side *x, const manifold *m)
@@ -464,29 +468,56 @@ static void take_plane(const slider *s, side *x, const manifold *m)
     x->pair->count = (signed char)t->count;
 }
 
-// What the pieces carried, and those that A has left.
-static void carry_floor(const slider *s, const side *x, const int *of, int n)
+// What pieces of this floor carried that A touches no more.
+static void carry_left(const slider *s, const side *x)
 {
-    contact_clear(x->contact);
+    int family = s->f->body[x->b].family;
     for (int i = 0; i < s->sides; i++) {
-        const side *y = &s->side[i];
-        bool is_one = false;
-        for (int k = 0; k < n; k++) is_one |= of[k] == i;
-        if (y->is_new && (is_one || y->points == 0))
-            carry_load(s, x, &s->c->was[y->pair->entry], ALIKE);
+        side *y = &s->side[i];
+        bool is_gone = y->is_left || (y->is_new && y->points == 0
+                                      && !y->pair->is_merged);
+        if (!is_gone || y->is_spent || s->f->body[y->b].family != family)
+            continue;
+        y->is_spent = carry_load(s, x, &s->c->was[y->pair->entry], ALIKE);
     }
 }
 
-// Not where a corner lies over no piece: there the floor ends.
-static void merge_floor(slider *s, const int *of, int n)
+// And what those have that A touches.
+static void carry_floor(const slider *s, const side *x, const int *of, int n)
 {
+    contact_clear(x->contact);
+    for (int k = 0; k < n; k++)
+        carry_load(s, x, &s->c->was[s->side[of[k]].pair->entry], ALIKE);
+    carry_left(s, x);
+}
+
+// Puts the piece first that A leaves last: the floor's contact is with that, and
+// hands its load on for as long as A is near it.
+static void begin_with_last(const slider *s, int *of, int n)
+{
+    vec3 way = s->f->ahead[s->a].way;
+    int best = 0;
+    real most = -HUGE_VAL;
+    for (int k = 0; k < n; k++) {
+        real far = vec3_dot(way, s->c->placed[s->side[of[k]].b].center);
+        if (far > most) most = far, best = k;
+    }
+    int first = of[best];
+    of[best] = of[0];
+    of[0] = first;
+}
+
+// Not where a corner lies over no piece: there the floor ends.
+static void merge_floor(slider *s, int *of, int n)
+{
+    begin_with_last(s, of, n);
     side *x = &s->side[of[0]];
     collider a = cache_collider(s->c, s->f, s->a);
     manifold m = manifold_on_plane(&a, x->n, x->height,
                                    contact_reach(s, x->contact),
                                    s->f->ahead[s->a].angle);
     for (int k = 0; k < m.count; k++)
-        if (!is_over(s, of, n, a.at[m.point[k].a.vertex[0]])) return;
+        if (!is_over(s, of, n, feature_at(&m.point[k].a, a.at))) return;
     if (m.count == 0) return;
     take_plane(s, x, &m);
     carry_floor(s, x, of, n);
@@ -504,6 +535,7 @@ static void merge_floors(slider *s)
         int n = find_floor(s, i, of);
         for (int k = 0; k < n; k++) s->side[of[k]].is_merged = true;
         if (n > 1) merge_floor(s, of, n);
+        else       carry_left(s, &s->side[i]);
     }
 }
 //<
@@ -528,6 +560,15 @@ static bool is_met(const cache_pair *p)
     return p->entry >= 0 && (p->count > 0 || p->is_merged);
 }
 
+// A floor that was touched until this frame, and is no more.
+static bool is_left(const contact_cache *c, const cache_frame *f,
+                    const cache_pair *p)
+{
+    return p->is_asked && p->count == 0
+        && seams_slider(f, p->key[0], p->key[1]) >= 0
+        && c->was[p->entry].count > 0;
+}
+
 static bool is_new_on_floor(const cache_frame *f, const cache_pair *p)
 {
     return p->is_asked && p->count > 0
@@ -540,9 +581,10 @@ static void list_met(contact_cache *c, const cache_frame *f, bool do_write)
     const cache_list *list[2] = { &c->pairs, &c->walls };
     for (int l = 0; l < 2; l++)
         for (int k = 0; k < list[l]->count; k++) {
-            if (!is_met(&list[l]->pair[k])) continue;
+            const cache_pair *p = &list[l]->pair[k];
+            if (!is_met(p) && (l > 0 || !is_left(c, f, p))) continue;
             for (int i = 0; i < 2 - l; i++) {
-                int b = list[l]->pair[k].key[i];
+                int b = p->key[i];
                 if (!f->moves[b]) continue;
                 if (do_write) c->met[c->last[b]] = l ? ~k : k;
                 c->last[b]++;
@@ -581,6 +623,8 @@ static void add_side(slider *s, int k)
     *x = (side){ .pair = p, .contact = t, .b = b,
                  .is_new = owner == s->a && b >= 0 && p->is_asked
                            && p->count > 0,
+                 .is_left = owner == s->a && b >= 0
+                            && is_left(c, s->f, p),
                  .n = normal_to(s, t) };
 }
 

@@ -44,7 +44,8 @@ typedef struct {
     vec3 way;           // m, its centre's, as fast as it is now
     real turn;          // m, what its vertices may go beside that
     real reach;         // m, both together
-    vec3 spin;          // rad, by which it turns, as fast as it does now
+    vec3 spin;          // rad, by which it turns, as fast as it does now; less
+                        // what takes no point of it elsewhere (rigid4_lean)
     real angle;         // rad, the length of that
     real arc;           // m, no vertex goes further by turning
 } prediction;

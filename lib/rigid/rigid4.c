@@ -205,6 +205,14 @@ static void find_turns(rigid4 *f)
     }
 }
 
+// (What has a weight of its own may have its centre beside the axis.)
+static int round_axes(const shape *s)
+{
+    if (s->own.mass > 0) return 0;
+    if (s->rim > 0) return 1;
+    return s->round > 0 && s->particles <= 2 ? 5 - 2 * s->particles : 0;
+}
+
 void rigid4_free(rigid4 *f)
 {
     free(f->local);
@@ -224,6 +232,7 @@ status rigid4_build(rigid4 *f, const shape *s)
     find_axes(root, rest.axis);
     place_four(f, s, &q, rest.axis);
     find_turns(f);
+    f->round_axes = round_axes(s);
     f->local = malloc((size_t)s->particles * sizeof *f->local);
     if (!f->local) {
         rigid4_free(f);

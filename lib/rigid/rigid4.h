@@ -34,6 +34,8 @@ typedef struct rigid4 {
     struct stick stick[FOUR_STICKS];        // every pair
     real  square[FOUR_AXES];        // m^2, of the frame's vectors
     int   turns_right;      // 1, 2 and 3 at rest, as seen from 0
+    int   round_axes;       // about how many axes of the frame it is round: 0,
+                            // 1 (axis 1), or all 3
     vec3 *local;            // [shape->particles] vertex v stands at the centre
                             // and local.x times axis 0 of the frame, ...
     vec3 middle;            // the same, of the mean of all vertices
@@ -98,6 +100,18 @@ static inline vec3 frame_arm(const rigid_frame *f, int k)
 {
     const real *t = FOUR_SIGN[k];
     return frame_vector(f, vec3_make(t[0], t[1], t[2]));
+}
+
+// The part of a turn (rad) by which a body gets elsewhere: what turns about an axis
+// about which it is round fills the same space as before.
+static inline vec3 rigid4_lean(const rigid4 *f, const rigid_frame *frame,
+                               vec3 turn)
+{
+    vec3 axis = frame->axis[1];
+    if (f->round_axes == 0) return turn;
+    if (f->round_axes == FOUR_AXES) return (vec3){ 0, 0, 0 };
+    return vec3_add_scaled(turn, -vec3_dot(turn, axis)
+                                 / vec3_length_squared(axis), axis);
 }
 
 // Where the n vertices stand, when the particles stand as the frame says.

@@ -284,6 +284,15 @@ real advance_turned(const world *w, int b, const rigid_frame *was)
     return sqrt(turned / 2);
 }
 
+real advance_leaned(const world *w, int b, const rigid_frame *was)
+{
+    const rigid4 *r = w->body[b].rigid;
+    if (r->round_axes == 0) return advance_turned(w, b, was);
+    if (r->round_axes == FOUR_AXES) return 0;
+    return vec3_distance(w->rigid.now[b].frame.axis[1], was->axis[1])
+         / sqrt(r->square[1]);
+}
+
 // m: no vertex has gone further.
 static real gone(const world *w, int b)
 {

@@ -31,6 +31,10 @@ void advance_bodies(world *w, real h);
 // a vertex by twice its radius times the sine.)
 real advance_turned(const world *w, int b, const rigid_frame *was);
 
+// The same, but of what is round only what gets it elsewhere: of a ball nothing, of
+// a capsule or a cylinder how far its axis has turned.
+real advance_leaned(const world *w, int b, const rigid_frame *was);
+
 // Before a substep that may have to be done again; and to do it again.
 void advance_mark(world *w);
 void advance_back(world *w);

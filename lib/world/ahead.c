@@ -30,7 +30,8 @@ static prediction predict(const world *w, int b, real dt)
     const solver_body *now = &w->rigid.now[b];
     const motion *u = &w->rigid.velocity[b];
     vec3 straight = { u->of[0], u->of[1], u->of[2] };
-    vec3 spin = motion_rotation(&now->basis, u);
+    vec3 spin = rigid4_lean(w->body[b].rigid, &now->frame,
+                            motion_rotation(&now->basis, u));
     real beside = vec3_length(body_gravity(w, b)) * dt * dt / 2
                 + rigid_width(&w->rigid, b) / HUNDREDTH;
     if (now->is_driven) beside = 0;
@@ -96,15 +97,23 @@ cache_frame ahead_frame(const world *w)
 //> ahead-used
 //>   Has a pair used up what its answer was good for?
 // m: by how much the gap of any point of a body may differ from those of points
-// that were found, for it has turned since; 0 if by no more than
-// MANIFOLD_TURN allows.  What is round touches on its rim however it turned.
+// that were found, for it has turned by so much since; 0 if by no more than
+// MANIFOLD_TURN allows.
+static real if_far(const world *w, int b, real turned)
+{
+    real gone = (w->rigid.now[b].radius - w->body[b].round) * turned;
+    return gone > MANIFOLD_TURN * rigid_width(&w->rigid, b) ? gone : 0;
+}
+
+// A coin that rolls on its rim touches elsewhere when it leans another way, and is
+// to be asked as often as it turns.
 static real find_turned(const world *w, int b)
 {
     const rigid_tables *t = &w->rigid;
-    real out = t->now[b].radius - w->body[b].round;
-    if (!t->moves[b] || t->going[b] == LIES || !(out > 0)) return 0;
-    real gone = out * advance_turned(w, b, &t->cache.placed[b]);
-    return gone > MANIFOLD_TURN * rigid_width(&w->rigid, b) ? gone : 0;
+    const rigid_frame *was = &t->cache.placed[b];
+    if (!t->moves[b] || t->going[b] == LIES) return 0;
+    return if_far(w, b, w->body[b].round > 0 ? advance_leaned(w, b, was)
+                                             : advance_turned(w, b, was));
 }
 
 static bool find_all_turned(world *w)
@@ -119,9 +128,22 @@ static bool find_all_turned(world *w)
     return some;
 }
 
-static real turned_of(const rigid_tables *t, int b)
+// Does b, round about an axis, lie on its side, with that across the normal?
+static bool is_along(const world *w, int b, vec3 normal)
 {
-    return b >= 0 && t->moves[b] ? t->turned[b] : 0;
+    const rigid4 *r = w->body[b].rigid;
+    real up = vec3_dot(w->rigid.now[b].frame.axis[1], normal);
+    return r->round_axes == 1
+        && up * up <= LEAN_SINE * LEAN_SINE * r->square[1];
+}
+
+// But what lies on its side touches there however it rolls.
+static real turned_of(const world *w, const contact *c, int b)
+{
+    const rigid_tables *t = &w->rigid;
+    if (b < 0 || !t->moves[b] || !(t->turned[b] > 0)) return 0;
+    if (!is_along(w, b, c->normal)) return t->turned[b];
+    return if_far(w, b, advance_leaned(w, b, &t->cache.placed[b]));
 }
 
 // Where the points that were found are further open than that, no other touches.
@@ -129,9 +151,10 @@ static bool is_used_up(const world *w, const active_contact *x,
                        const contact *c)
 {
     const rigid_tables *t = &w->rigid;
-    real turned = turned_of(t, c->a) + turned_of(t, c->b);
+    if (x->count == 0) return false;
+    real turned = turned_of(w, c, c->a) + turned_of(w, c, c->b);
     real gap[CONTACT_POINTS], least = HUGE_VAL;
-    if (x->count == 0 || !(turned > 0)) return false;
+    if (!(turned > 0)) return false;
     const rigid_frame *at_b = c->b < 0 ? NULL : &t->now[c->b].frame;
     contact_gaps(c, &t->now[c->a].frame, at_b,
                  c->b < 0 ? w->plane[-1 - c->b].offset : 0, gap);

@@ -121,7 +121,9 @@ static vec3 way_beside(const world *w, int b, int on)
     vec3 way = t->ahead[b].way;
     if (on < 0) return way;
     vec3 arm = vec3_sub(t->now[b].frame.center, t->now[on].frame.center);
-    vec3 there = vec3_add(t->ahead[on].way, vec3_cross(t->ahead[on].spin, arm));
+    vec3 spin = motion_rotation(&t->now[on].basis, &t->velocity[on]);
+    vec3 there = vec3_add_scaled(t->ahead[on].way, w->frame,
+                                 vec3_cross(spin, arm));
     return vec3_sub(way, there);
 }
 //<

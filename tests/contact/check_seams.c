@@ -363,6 +363,42 @@ START_TEST(pieces_in_one_plane_are_one_floor)
 }
 END_TEST
 
+// A third piece was left in this frame: 5 of load at A's corner in front.
+// Rejects: a load that is lost, so that A sinks at every seam; one that is handed
+// on to another body's piece, or to a face that looks elsewhere.
+START_TEST(load_of_a_piece_that_was_left_goes_on)
+{
+    const int family[] = { 7, 8, 7 };
+    for (int k = 0; k < 3; k++) {
+        bodies = 1;
+        cache.pairs.count = 0;
+        lay_two(7, 7, 0);
+        int left = add(true, vec3_make(-3, -0.5, 0));
+        body[left].family = family[k];
+        found(left, UP, 0, NULL, NULL);
+        was[2] = (contact){ .piece_a = A, .piece_b = left, .count = 1,
+                            .normal = k < 2 ? UP : BACK, .twist = 0.5 };
+        was[2].point[0].local_a = cube4.local[1];
+        was[2].impulse[0] = 5;
+        mend();
+        near(contact_load(&entry[0].contact), k == 0 ? 5 : 0, ROUNDING);
+        near(entry[0].contact.twist, k == 0 ? 0.5 : 0, ROUNDING);
+    }
+}
+END_TEST
+
+// What goes along x leaves the first of two pieces sooner.
+// Rejects: a contact with the piece that is left next, with its load.
+START_TEST(floor_is_met_in_the_piece_that_is_left_last)
+{
+    ahead[A].way = vec3_make(0.1, 0, 0);
+    lay_two(7, 7, 0);
+    mend();
+    ck_assert(entry[0].contact.count == 0 && pair[0].is_merged);
+    ck_assert_int_eq(entry[1].contact.count, 4);
+}
+END_TEST
+
 // Rejects: two bodies, perhaps of two materials, in one contact; pieces at two
 // heights.
 START_TEST(only_flush_pieces_of_one_body_are_one_floor)
@@ -447,6 +483,8 @@ int main(void)
         face_inside_of_another_piece_is_not_met,
         pieces_that_overlap_hold_both,
         pieces_in_one_plane_are_one_floor,
+        load_of_a_piece_that_was_left_goes_on,
+        floor_is_met_in_the_piece_that_is_left_last,
         only_flush_pieces_of_one_body_are_one_floor,
         normal_of_a_floor_is_that_of_its_face,
         floor_does_not_move_or_is_large,

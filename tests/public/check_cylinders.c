@@ -115,7 +115,7 @@ START_TEST(it_rolls_for_ten_seconds_without_loss)
 {
     const double r = 0.5, v = 3, aspect[] = { 0.05, 0.5, 2, 6 };
     for (int floor = 0; floor < FLOORS; floor++)
-        for (int k = floor == 2; k < 4; k++) {
+        for (int k = 0; k < 4; k++) {
             tumble_world *w = made(0.5);
             add_floor(w, floor);
             tumble_body_options o = lying(-15, r);
@@ -124,7 +124,6 @@ START_TEST(it_rolls_for_ten_seconds_without_loss)
             tumble_shape s = tumble_shape_cylinder(w, aspect[k] * r, r, 2);
             tumble_body b = tumble_body_add(w, s, o);
             run(w, 600);
-            // (Over triangles a coin loses half a per cent.)
             near(tumble_body_velocity(w, b).x, v, 1e-5 * v);
             near(tumble_body_velocity(w, b).y, 0, 1e-3);
             near(tumble_body_position(w, b).y, r, 1e-3 * r);

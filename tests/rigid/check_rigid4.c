@@ -6,6 +6,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "capsule.h"
+#include "cylinder.h"
 #include "scarce.h"
 #include "shake.h"
 #include "solids.h"
@@ -159,6 +161,33 @@ static void is_refused(shape *s)
     ck_assert_int_eq(after, before);
     is_empty();
 }
+
+// The part of a turn that takes it elsewhere: nothing of a ball, what is across the
+// axis of what is round about y, all of a box and of what has its centre elsewhere.
+// Rejects: a roller that is taken for one that tumbles, or the other way round.
+START_TEST(turn_about_its_own_axis_takes_nothing_elsewhere)
+{
+    const vec3 turn = { 0.3, 2, -0.5 }, none = { 0, 0, 0 };
+    const vec3 across = { 0.3, 0, -0.5 };
+    const vec3 wanted[] = { none, across, across, turn, turn };
+    for (int k = 0; k < 5; k++) {
+        shape s;
+        if (k == 0) expect_ok(shape_sphere(&s, 0.5, 2));
+        if (k == 1) expect_ok(shape_capsule(&s, 1, 0.2, 2));
+        if (k > 1 && k < 4) expect_ok(shape_cylinder(&s, 1, 0.2, 2));
+        if (k == 4) expect_ok(shape_box(&s, vec3_make(1, 1, 1), 2));
+        if (k == 3) s.own.mass = 2;
+        if (k == 3) s.own.spread[0][0] = s.own.spread[1][1] = 0.1;
+        if (k == 3) s.own.spread[2][2] = 0.1;
+        expect_ok(rigid4_build(&f, &s));
+        rigid_frame rest = rigid4_rest(&f);
+        vec3 got = rigid4_lean(&f, &rest, turn);
+        ck_assert(vec3_distance(got, wanted[k]) <= ROUNDING);
+        rigid4_free(&f);
+        shape_free(&s);
+    }
+}
+END_TEST
 
 // Rejects: a division by a volume of 0, or by a pivot that is rounding's; an
 // inside-out mesh taken for a solid of negative mass; NaN that no comparison
@@ -466,6 +495,7 @@ int main(void)
         vertices_ride_where_the_shape_has_them,
         sticks_and_radii_are_those_of_the_particles,
         free_spin_keeps_its_momentum_for_ten_seconds,
+        turn_about_its_own_axis_takes_nothing_elsewhere,
         body_without_volume_is_refused_with_a_sentence,
         small_and_large_bodies_are_built_alike,
         refused_memory_is_told_and_leaves_nothing,

@@ -1207,7 +1207,7 @@ line_result line_solve(strands s, particle *p, int steps,
 // something.
 static const real MORE = 1.2;               // tuned, 1
 
-line_result lines_relax(const shape *s, particle *p, int sweeps,
+line_result lines_relax(const shape *s, particle *p, int fewest, int sweeps,
                         relax_options options, line_hold *hold, real give,
                         line_scratch *scratch)
 {
@@ -1217,7 +1217,7 @@ line_result lines_relax(const shape *s, particle *p, int sweeps,
     int most = directions > 1 || hold ? sweeps : 1;
     if (give > 0) options.gradient = GRADIENT_NEW;
     int is_new = options.gradient == GRADIENT_NEW;
-    bool is_drawn = give > 0 || (hold && directions == 1);
+    bool is_drawn = give > 0 || (hold && directions == 1), is_done;
     gather_all(scratch, p, s->particles, options);
     if (hold) hold_begin(s, scratch, hold);
     if (is_drawn) forget_pulls(s, scratch);
@@ -1234,7 +1234,8 @@ line_result lines_relax(const shape *s, particle *p, int sweeps,
             b.give = give * b.s.rest_length / shape_width(s, b.direction);
             solve_lines(b, p, 1, options, &r);
         }
-    } while (++done < most && !(r.worst <= options.tolerance));
+        is_done = r.worst <= options.tolerance && done + 1 >= fewest;
+    } while (++done < most && !is_done);
     if (hold) hold_end(s, scratch, p, hold);
     if (is_drawn && hold) remember_strings(s, scratch, hold);
     scatter_line(scratch->now, p, s->particles);

@@ -92,7 +92,8 @@ line_result line_solve(strands s, particle *p, int steps,
                        relax_options options, line_scratch *scratch);
 
 // All strands of a body, one direction after the other, one step each, until
-// none met an error above options.tolerance, but at most `sweeps` (>= 1) times.
+// none met an error above options.tolerance, but at least `fewest` and at most
+// `sweeps` (>= 1) times.
 // The result: worst of the last sweep, sweeps in the place of steps.  As if by
 // line_solve for each direction, but along the new gradient all sweeps but the
 // last (and, where threads give, the first) ask for 1.2 times what is wrong, and the
@@ -107,7 +108,7 @@ line_result line_solve(strands s, particle *p, int steps,
 // length.  Else each ends as long as what it then pulls stretches it, which is
 // Euler's implicit step, always along the new gradient; an error is what is
 // left of that.
-line_result lines_relax(const shape *s, particle *p, int sweeps,
+line_result lines_relax(const shape *s, particle *p, int fewest, int sweeps,
                         relax_options options, line_hold *hold, real give,
                         line_scratch *scratch);
 

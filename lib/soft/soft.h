@@ -20,6 +20,7 @@ typedef struct {
     rigid_view view;
     prediction *ahead;  // [bodies] how each may move in this frame
     bool *held;         // [bodies] by nails, or by what it hangs on
+    int  *sweeps;       // [bodies] that strands of held cloth take at least
     line_hold *hold;    // [particles] what each touches that does not move
     bend_row *bends;    // [rows] of the longest strand
     int  bodies, particles, rows;       // for so many there is room

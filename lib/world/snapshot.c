@@ -219,6 +219,7 @@ static void soft_store(soft_solver *x, store *s)
     rigid_view_store(&x->view, s);
     STORE_ROOM(s, x->ahead, x->bodies);
     STORE_ROOM(s, x->held, x->bodies);
+    STORE_TABLE(s, x->sweeps, x->bodies, x->bodies);
     STORE_TABLE(s, x->hold, x->particles, x->particles);
     STORE_ROOM(s, x->bends, x->rows);
 }

@@ -365,7 +365,8 @@ START_TEST(relaxing_all_lines_is_solving_one_direction_after_the_other)
         disturb(0.02);
         if (is_lost) p[13].position.z = (real)NAN;
         remember();
-        line_result all = lines_relax(&plan, p, rounds, o, NULL, 0, scratch), r;
+        line_result r, all = lines_relax(&plan, p, 1, rounds, o, NULL, 0,
+                                         scratch);
         real worst = 0;
         for (int k = 0; k < rounds; k++) {
             worst = 0;
@@ -381,7 +382,7 @@ START_TEST(relaxing_all_lines_is_solving_one_direction_after_the_other)
         tear_down();
     }
     lay_cloth(11, 9);
-    ck_assert_int_eq(lines_relax(&plan, p, 5, relax_options_pbd(),
+    ck_assert_int_eq(lines_relax(&plan, p, 1, 5, relax_options_pbd(),
                                  NULL, 0, scratch).steps, 1);
     tear_down();
 }
@@ -426,7 +427,7 @@ START_TEST(rounds_but_the_last_ask_for_more)
         if (trial & 2) nail(40);
         disturb(0.02);
         remember();
-        line_result r = lines_relax(&plan, p, 3, along(0), NULL, 0, scratch);
+        line_result r = lines_relax(&plan, p, 1, 3, along(0), NULL, 0, scratch);
         particle *relaxed = p;
         p = q;
         q = relaxed;
@@ -464,7 +465,7 @@ static real hung_by_two_corners(int at_once)
         sticks_iterate(plan.stick + shape_links(&plan),
                      plan.sticks - shape_links(&plan), p, o);
         for (int round = 0; round < (at_once ? 1 : 3); round++)
-            lines_relax(&plan, p, at_once ? 3 : 1, o, NULL, 0, scratch);
+            lines_relax(&plan, p, 1, at_once ? 3 : 1, o, NULL, 0, scratch);
         for (int d = 0; d < 2 && k > hertz; d++)
             worst = fmax(worst, strain_of(&strand[d]));
     }
@@ -692,7 +693,7 @@ static real string_after(real share, int old, real give)
     p[20].inverse_mass = 1e-3;
     for (int k = 0; k < 400; k++) {
         verlet_step(p, 21, GRAVITY, NULL, sqrt(h2));
-        lines_relax(&plan, p, 2, along(old), free_of_all, give, scratch);
+        lines_relax(&plan, p, 1, 2, along(old), free_of_all, give, scratch);
     }
     for (int i = 0; i <= 20; i++) worst = fmax(worst, fabs(p[i].position.x));
     near(p[20].position.y, -1 - give / 20 * h2 * 9.81 * 20190, 1e-9, "load");
@@ -722,7 +723,7 @@ START_TEST(disturbed_string_holds_any_load_at_any_step)
     hang(10000, 0.002);
     for (int k = 0; k < 180 * 8; k++) {
         verlet_step(p, plan.particles, GRAVITY, NULL, 1.0 / 480);
-        lines_relax(&plan, p, 3, along(0), free_of_all, 0, scratch);
+        lines_relax(&plan, p, 1, 3, along(0), free_of_all, 0, scratch);
         if (k >= 120 * 8) worst = fmax(worst, strain_of(strand));
     }
     printf("line: disturbed string, load 10000, 8 substeps: strain %.2g\n",
@@ -767,7 +768,7 @@ START_TEST(taut_strands_keep_momentum)
                 hold[i].push[d] = random_between(&seed, -1, 5)
                                 / p[i].inverse_mass;
         real give = (round < 4 ? 1 : 0.1) * p[0].inverse_mass;
-        lines_relax(&plan, p, 300, along(0), hold, give, scratch);
+        lines_relax(&plan, p, 1, 300, along(0), hold, give, scratch);
         for (int i = 0; i < plan.particles; i++)
             sum = vec3_add(sum, vec3_scale(1 / p[i].inverse_mass,
                                            vec3_sub(p[i].position,
@@ -790,8 +791,8 @@ START_TEST(what_hangs_loosely_is_no_string)
         remember();
         for (int i = 0; i <= 30; i++)
             loose[i].push[0] = 0.99 / 4 / p[i].inverse_mass;
-        lines_relax(&plan, p, 1, along(old), loose, 0, scratch);
-        lines_relax(&plan, q, 1, along(old), slack, 0, scratch);
+        lines_relax(&plan, p, 1, 1, along(old), loose, 0, scratch);
+        lines_relax(&plan, q, 1, 1, along(old), slack, 0, scratch);
         expect_same_places(p, q, plan.particles);
         tear_down();
     }
@@ -813,7 +814,7 @@ START_TEST(string_presses_on_what_it_slides_on)
                           hold_of(LINE_SLIDES, vec3_make(0, 1, 0)),
                           hold_of(LINE_FREE, vec3_make(0, 1, 0)) };
     for (int i = 0; i < 3; i++) hold[i].push[0] = pull;
-    lines_relax(&plan, p, 4, along(0), hold, give, scratch);
+    lines_relax(&plan, p, 1, 4, along(0), hold, give, scratch);
     real string = 2 * w * excess * aside / (1 + 2 * w * excess);
     real links = 2 * w / (4 * w) * (aside - 0.3 * string);
     near_relative(-p[1].position.y, 0.3 * (string + links), 1e-3, "into");
@@ -1245,7 +1246,7 @@ START_TEST(strands_that_are_held_are_those_of_the_plain_form)
         nail(3);
         disturb(0.02);
         remember();
-        lines_relax(&plan, p, 1, along(0), hold, 0, scratch);
+        lines_relax(&plan, p, 1, 1, along(0), hold, 0, scratch);
         for (int d = 0; d < shape_directions(&plan); d++)
             for (int l = 0; l < strand[d].lines; l++)
                 plain_round(&strand[d], hold, l);
@@ -1253,9 +1254,9 @@ START_TEST(strands_that_are_held_are_those_of_the_plain_form)
             near(vec3_distance(p[i].position, q[i].position), 0,
                         ROUNDING, "place");
         remember();
-        lines_relax(&plan, p, 1, along(0), NULL, 0, scratch);
+        lines_relax(&plan, p, 1, 1, along(0), NULL, 0, scratch);
         for (int i = 0; i < plan.particles; i++) hold[i].state = LINE_FREE;
-        lines_relax(&plan, q, 1, along(0), hold, 0, scratch);
+        lines_relax(&plan, q, 1, 1, along(0), hold, 0, scratch);
         expect_same_places(p, q, plan.particles);
         tear_down();
     }
@@ -1274,7 +1275,7 @@ START_TEST(particle_on_a_floor_bears_what_hangs_on_it)
     p[1].position = p[1].previous = vec3_make(0, -2, 0);
     line_hold hold[2] = { hold_of(LINE_SLIDES, vec3_make(0, 1, 0)),
                           hold_of(LINE_FREE, vec3_make(0, 1, 0)) };
-    lines_relax(&plan, p, 1, along(0), hold, 0, scratch);
+    lines_relax(&plan, p, 1, 1, along(0), hold, 0, scratch);
     real lambda = 1.5 / (4 * (1 + 0.3 + 0.0035));
     near(p[1].position.y, -2 + 2 * lambda, EXACT, "lower");
     near(p[0].position.y, -0.3 * 2 * lambda, EXACT, "upper");
@@ -1298,7 +1299,7 @@ START_TEST(floors_let_go_and_friction_does_not)
         p[1].position = down;
         line_hold hold[2] = { hold_of(state[k], vec3_make(0, 1, 0)),
                               hold_of(LINE_FREE, vec3_make(0, 1, 0)) };
-        lines_relax(&plan, p, 1, along(0), hold, 0, scratch);
+        lines_relax(&plan, p, 1, 1, along(0), hold, 0, scratch);
         real now = vec3_length_squared(down);
         real both = k == 0 ? 1.3 + 0.0035 : k == 1 ? 2.0035 : 1.3;
         real lambda = (now - 1) / 2 / (both * now);
@@ -1338,8 +1339,8 @@ START_TEST(what_lies_flat_is_left_free)
             for (int k = 1; k < 5; k++)
                 q[beside[k]].inverse_mass = p[beside[k]].inverse_mass
                     * (hold[beside[k]].state == LINE_STICKS ? 0.3 : 1);
-            lines_relax(&plan, p, 1, along(0), hold, 0, scratch);
-            lines_relax(&plan, q, 1, along(0), NULL, 0, scratch);
+            lines_relax(&plan, p, 1, 1, along(0), hold, 0, scratch);
+            lines_relax(&plan, q, 1, 1, along(0), NULL, 0, scratch);
             real apart = 0;
             for (int i = 0; i < 25; i++)
                 apart = fmax(apart, vec3_distance(p[i].position,
@@ -1379,7 +1380,7 @@ START_TEST(links_that_give_pull_by_how_much_they_are_too_long)
         nail(3);
         disturb(1e-7);
         remember();
-        lines_relax(&plan, p, 300, along(round % 2), free_of_all, give,
+        lines_relax(&plan, p, 1, 300, along(round % 2), free_of_all, give,
                     scratch);
         for (int d = 0; d < shape_directions(&plan); d++) {
             strands s = strand[d];

@@ -115,6 +115,7 @@ typedef struct {
     bool is_upper;              // the limit is the greater of the two
     real begun[JOINT_ROWS];     // the joint's impulse when the substep began,
     bool was_upper, was_broken; // and the rest, to begin it again
+    bool rubs;                  // something presses one that is joined to it
     real pushed[JOINT_ROWS];    // the impulse before the bodies moved, and that
     real older[JOINT_ROWS];     // of the substep before
     real inverse[JOINT_ROWS][JOINT_ROWS];   // of K

@@ -223,11 +223,13 @@ static void find_lifts(world *w)
     for (int k = 0; k < t->solver.contacts; k++) {
         const active_contact *x = &t->solver.active[k];
         if (x->above >= 0) t->island[x->above].lift += x->lift;
-        if (!(x->load > 0) || x->sides == TWO_SIDED) continue;
+        if (!(x->load > 0)) continue;
+        island *i = &t->island[island_root(t->island, x->a)];
+        i->rubs = true;
+        if (x->sides == TWO_SIDED) continue;
         const contact *c = t->cache.active[k];
         vec3 push = vec3_add_scaled(c->friction, x->load, c->normal);
         real per_age = (x->is_swapped ? -1 : 1) / t->age[x->a];
-        island *i = &t->island[island_root(t->island, x->a)];
         i->carried = vec3_add_scaled(i->carried, per_age, push);
     }
 }
@@ -278,6 +280,7 @@ static void ask_joints(world *w)
         island *i = rungs_island(w, j->a, j->b);
         if (!i || j->kind == JOINT_NONE || j->is_broken) continue;
         i->pace = real_max(i->pace, w->joints.rows[k].pace);
+        w->joints.rows[k].rubs = i->rubs;
         i->hangs = true;
         if (j->is_driven) i->pulls = HUGE_VAL;
     }
@@ -305,8 +308,8 @@ static void ask_contacts(world *w)
 static void find_demands(world *w)
 {
     ask_bodies(w);
-    ask_joints(w);
     find_lifts(w);
+    ask_joints(w);
     ask_contacts(w);
 }
 //<

@@ -603,6 +603,15 @@ static bool is_asked(const frame_look *l, int a, int b)
         && (soft_moves(f, a) || soft_moves(f, b)) && soft_meets(f, a, b);
 }
 
+// (A sheet of which nothing is asked may be gone at the next look, and a smaller one
+// have its number: it has no windows.)
+static bool is_asked_of_some(const frame_look *l, int b)
+{
+    for (int n = 0; n < l->f->softs; n++)
+        if (is_asked(l, b, l->f->soft[n])) return true;
+    return false;
+}
+
 // Pairs that no plane parts are in `clash` afterwards.  What found no room in
 // the last look may find some in this.
 static void look_at_all(const frame_look *l)
@@ -613,7 +622,7 @@ static void look_at_all(const frame_look *l)
     c->clashes = c->left_out = c->keeps = 0;
     c->is_boxed = false;
     for (int n = 0; n < softs; n++)
-        if (is_certified(l->f, soft[n])) find_windows(l, whole_soft(l, soft[n]));
+        if (is_asked_of_some(l, soft[n])) find_windows(l, whole_soft(l, soft[n]));
     for (int n = 0; n < softs; n++)
         for (int m = 0; m <= n; m++) {
             int a = soft[m], b = soft[n];

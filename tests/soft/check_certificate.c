@@ -573,6 +573,25 @@ START_TEST(what_sleeps_is_not_looked_at)
 }
 END_TEST
 
+// A sheet sleeps, and meets no other; then a smaller one has its number.  Rejects:
+// windows of a sheet of which nothing is asked, which is not found again when it is
+// another one (half of its cells do not exist then).
+START_TEST(what_nothing_is_asked_of_has_no_window)
+{
+    unsigned long long seed = 16;
+    lay(&seed, SPACING);
+    asleep[1] = true;
+    sheet[1].group = sheet[1].mask = 2;
+    begin();
+    move(0, vec3_make(0, 1e-5, 0));
+    certificate_end(&proof, &frame);
+    asleep[1] = false;
+    ck_assert_int_gt(proof.keeps, 1);
+    for (int k = 0; k < proof.keeps; k++)
+        ck_assert_int_eq(proof.kept[k].set[0].part.cells.body, 0);
+}
+END_TEST
+
 // What has been proved already ends once.  Rejects: a second proof of a way that
 // has taken no time.
 START_TEST(a_way_of_no_time_is_not_proved)
@@ -633,6 +652,7 @@ int main(void)
     const TTest *tests[] = {
         what_does_not_cross_keeps_its_bits,
         a_long_way_is_proved_piece_by_piece,
+        what_nothing_is_asked_of_has_no_window,
         what_falls_as_one_is_proved_once_a_frame,
         what_is_stopped_loses_its_speed_and_what_is_nailed_stays,
         what_crosses_already_is_left_out_and_goes_its_way,

@@ -491,6 +491,9 @@ static void find_manifolds(world *w)
 // one.
 static const real DAMPING = 10;             // tuned, 1
 static const real PARTS_BY = 0.055;         // tuned, radii a frame
+// Joints come together no faster than this.  By the same share of small bodies a
+// ring that swings came apart; by four times as much it held.
+static const real MAX_SPEED = 3;            // tuned, m/s
 
 static solver_frame solver_frame_of(const world *w, int substeps)
 {
@@ -506,6 +509,7 @@ static solver_frame solver_frame_of(const world *w, int substeps)
         .material = w->has_materials ? w->rigid.material : NULL,
         .wall = w->wall,
         .hertz = o->hertz, .damping = DAMPING, .max_rate = PARTS_BY / o->dt,
+        .max_speed = MAX_SPEED,
         .restitution = w->rigid.restitution, .gravity = o->gravity,
         .run = o->host.run };
 }

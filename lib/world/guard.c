@@ -224,21 +224,26 @@ void guard_soft(world *w)
 
 //> guard-planes
 //>   A centre that would go behind a plane stops on it.
+// Puts the centre of body b so high over a side, and stops it on its way down.
+static void lift_to(world *w, int b, plane side, real high)
+{
+    vec3 *center = &w->rigid.now[b].frame.center, n = side.normal;
+    real *u = w->rigid.velocity[b].of;
+    real up = high - plane_height(side, *center);
+    real down = real_min(vec3_dot(n, vec3_make(u[0], u[1], u[2])), 0);
+    *center = vec3_add_scaled(*center, up, n);
+    u[0] -= down * n.x;
+    u[1] -= down * n.y;
+    u[2] -= down * n.z;
+}
+
 // Contacts are those of the frame's start, and what was hit hard may turn past
 // them: but no centre goes behind a plane, or further behind than it was.
 static void stop_at_plane(world *w, int b, plane p)
 {
-    vec3 *center = &w->rigid.now[b].frame.center;
-    real *u = w->rigid.velocity[b].of;
-    real n[3] = { p.normal.x, p.normal.y, p.normal.z };
-    real height = plane_height(p, *center);
-    if (height >= 0) return;
-    real was = plane_height(p, w->rigid.began[b].center);
-    real low = real_min(was, 0) - height;
-    real speed = n[0] * u[0] + n[1] * u[1] + n[2] * u[2];
-    if (!(low > 0)) return;
-    *center = vec3_add_scaled(*center, low, p.normal);
-    for (int i = 0; i < 3; i++) u[i] -= real_min(speed, 0) * n[i];
+    real high = real_min(plane_height(p, w->rigid.began[b].center), 0);
+    if (plane_height(p, w->rigid.now[b].frame.center) < high)
+        lift_to(w, b, p, high);
 }
 
 static void stop_chunk(void *data, int item)
@@ -268,20 +273,13 @@ static void stop_at_faces(world *w, int b)
 {
     enum { ROUNDS = 4 };                    // tuned, rounds
     const world_host *host = &w->options.host;
-    vec3 from = w->rigid.began[b].center;
-    vec3 *center = &w->rigid.now[b].frame.center;
-    real *u = w->rigid.velocity[b].of;
+    vec3 from = w->rigid.began[b].center, *center = &w->rigid.now[b].frame.center;
     plane side;
     for (int k = 0; k <= ROUNDS
          && host->enters(host->surroundings, b, from, *center, &side); k++) {
-        vec3 n = side.normal;
-        real high = real_min(plane_height(side, from), w->rigid.body[b].inner);
-        real speed = vec3_dot(n, vec3_make(u[0], u[1], u[2]));
-        *center = vec3_add_scaled(*center, high - plane_height(side, *center), n);
+        lift_to(w, b, side, real_min(plane_height(side, from),
+                                     w->rigid.body[b].inner));
         if (k == ROUNDS) *center = from;
-        u[0] -= real_min(speed, 0) * n.x;
-        u[1] -= real_min(speed, 0) * n.y;
-        u[2] -= real_min(speed, 0) * n.z;
     }
 }
 

@@ -73,7 +73,7 @@ typedef struct {
     real damping;               // ratio, of their dampers
     real max_rate;              // 1/s, times the smaller radius: the speed at
                                 // which overlaps are pushed out, at most
-    real max_speed;             // m/s, at which joints come together, at most
+    real joint_rate;            // 1/s, likewise: that at which joints come together
     vec3 gravity;               // m/s^2, for impacts
     // Is told of each impact, and its impulse (N s); NULL: none is.
     void (*hear)(void *listener, const contact *c, real impulse);

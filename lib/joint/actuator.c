@@ -224,24 +224,26 @@ static void soften(const joint *j, joint_rows *r, int n,
 }
 
 // From here to a limit, at its end; what has passed it comes back as errors do.
+// (An angle comes back by radians, and a way by radii.)
 static real speed_to(const joint *j, const joint_rows *r, int side, real h,
-                     real max_speed, bool is_over)
+                     real joint_rate, bool is_over)
 {
+    real most = j->kind == JOINT_HINGE ? joint_rate : joint_rate * r->size;
     real left = (side < 0 ? j->least : j->most) - r->error[r->held];
     bool is_open = side < 0 ? left < 0 : left > 0;
     if (is_open)    return left / h;
     if (is_over)    return 0;
-    return real_max(real_min(r->share * left / h, max_speed), -max_speed);
+    return real_max(real_min(r->share * left / h, most), -most);
 }
 
-real actuator_want(const joint *j, joint_rows *r, real h, real max_speed,
+real actuator_want(const joint *j, joint_rows *r, real h, real joint_rate,
                    const real *end, real speed)
 {
     const joint_drive *d = &j->drive;
     real impulse = j->impulse[r->held];
     r->speed = end ? way(j, r->error[r->held], *end) / h : speed;
     for (int s = 0; s < 2; s++)
-        r->room[s] = j->has_limits ? speed_to(j, r, 2 * s - 1, h, max_speed, !end)
+        r->room[s] = j->has_limits ? speed_to(j, r, 2 * s - 1, h, joint_rate, !end)
                                    : (2 * s - 1) * HUGE_VAL;
     if (d->limit != 0)
         return r->room[d->limit > 0] - r->hard * impulse - r->speed;
@@ -327,10 +329,10 @@ void actuator_weigh(const joint *j, joint_rows *r, int n,
 }
 
 real actuator_want_cone(const joint *j, joint_rows *r, int i, real h,
-                        real max_speed, const real *end, real speed)
+                        real joint_rate, const real *end, real speed)
 {
     int k = r->held + i;
-    real room = r->error[k], back = real_min(-r->share * room / h, max_speed);
+    real room = r->error[k], back = real_min(-r->share * room / h, joint_rate);
     if (!end)           r->cone_want[i] = -real_max(room, 0) / h - speed;
     else if (room > 0)  r->cone_want[i] = -*end / h;
     else                r->cone_want[i] = (room - *end) / h + back;

@@ -53,14 +53,14 @@ void actuator_weigh(const joint *j, joint_rows *r, int n,
 // How fast does it go, and how fast may it, between its limits?  With the place
 // at the end of the substep, or, if that is NULL, for what goes on at `speed`.
 // Returns what the row wants.
-real actuator_want(const joint *j, joint_rows *r, real h, real max_speed,
+real actuator_want(const joint *j, joint_rows *r, real h, real joint_rate,
                    const real *end, real speed);
 
 // Keeps what row i of a cone wants, and returns it, or 0 if it does not hold.  With
 // the room at the end of the substep (rad), or, if that is NULL, for what it grows
 // by at `speed`.
 real actuator_want_cone(const joint *j, joint_rows *r, int i, real h,
-                        real max_speed, const real *end, real speed);
+                        real joint_rate, const real *end, real speed);
 
 // The same of friction, when the bodies turn by r->turning at the begin of a substep
 // in which forces act for `kick` (s); what row i wants; and whether the joint holds or

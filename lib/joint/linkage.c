@@ -379,7 +379,7 @@ static void want_cone_together(const linkage *l, const linkage_pass *q,
     real then[JOINT_ROWS];
     joint_errors(j, r, end_of(l, q, j->a), end_of(l, q, j->b), then);
     for (int i = 0; i < 2; i++)
-        want[r->held + i] = actuator_want_cone(j, r, i, q->f->h, q->f->max_speed,
+        want[r->held + i] = actuator_want_cone(j, r, i, q->f->h, q->f->joint_rate,
                                                &then[r->held + i], 0);
 }
 
@@ -393,7 +393,7 @@ static void want_driven_together(const linkage *l, const linkage_pass *q,
     if (j->friction > 0) want_friction(q, j, r, want);
     if (!j->is_driven) return;
     real end = joint_where(j, end_of(l, q, j->a), end_of(l, q, j->b));
-    want[r->held] = actuator_want(j, r, q->f->h, q->f->max_speed, &end, 0);
+    want[r->held] = actuator_want(j, r, q->f->h, q->f->joint_rate, &end, 0);
 }
 
 static void want_driven_rest(const linkage *l, const linkage_pass *q,
@@ -403,12 +403,12 @@ static void want_driven_rest(const linkage *l, const linkage_pass *q,
     joint_rows *r = &l->rows[number];
     want_rest(l, q, number, want);
     for (int i = 0; i < 2 && j->is_coned; i++)
-        want[r->held + i] = actuator_want_cone(j, r, i, q->f->h, q->f->max_speed,
+        want[r->held + i] = actuator_want_cone(j, r, i, q->f->h, q->f->joint_rate,
                                                NULL, speed_along(q, j, r,
                                                                  r->held + i));
     if (j->friction > 0) want_friction(q, j, r, want);
     if (!j->is_driven) return;
-    want[r->held] = actuator_want(j, r, q->f->h, q->f->max_speed, NULL,
+    want[r->held] = actuator_want(j, r, q->f->h, q->f->joint_rate, NULL,
                                   speed_along(q, j, r, r->held));
 }
 
@@ -958,7 +958,7 @@ static const real PARTED = 0.01;            // tuned, radii
 static real share_at_once(const linkage *l, int k, const solver_frame *f)
 {
     const joint_rows *r = &l->rows[k];
-    real sum = 0, most = f->max_speed * f->h;
+    real sum = 0, most = f->joint_rate * r->size * f->h;
     for (int i = 0; i < r->held + l->joint[k].is_limited; i++)
         sum += i < r->held || r->error[i] < 0 ? r->error[i] * r->error[i] : 0;
     real share = l->role[k] == JOINT_ALONE ? SLOWLY : AT_ONCE;

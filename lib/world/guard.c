@@ -106,10 +106,8 @@ void guard_begin(world *w, const solver_frame *f)
     real more = w->frame * gravity + (1 + f->restitution) * drive_fastest(w);
     for (int k = 0; k < t->awakes; k++) {
         island *i = &t->island[t->awake[k]];
-        real apart = real_max(f->max_rate * i->largest,
-                              i->hangs ? f->max_speed : 0);
         real most = sqrt(i->energy) + sqrt(i->loads) + i->drives
-                  + sqrt(i->mass / 2) * (more + apart);
+                  + sqrt(i->mass / 2) * (more + f->max_rate * i->largest);
         i->most = most * most;
     }
 }

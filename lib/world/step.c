@@ -491,9 +491,9 @@ static void find_manifolds(world *w)
 // one.
 static const real DAMPING = 10;             // tuned, 1
 static const real PARTS_BY = 0.055;         // tuned, radii a frame
-// Joints come together no faster than this.  By the same share of small bodies a
-// ring that swings came apart; by four times as much it held.
-static const real MAX_SPEED = 3;            // tuned, m/s
+// Joints come together no faster than this (limits of an angle: by so many radians).
+// By a fourth a ring of small boxes that swings came apart.
+static const real JOINS_BY = 0.22;          // tuned, radii a frame
 
 static solver_frame solver_frame_of(const world *w, int substeps)
 {
@@ -509,7 +509,7 @@ static solver_frame solver_frame_of(const world *w, int substeps)
         .material = w->has_materials ? w->rigid.material : NULL,
         .wall = w->wall,
         .hertz = o->hertz, .damping = DAMPING, .max_rate = PARTS_BY / o->dt,
-        .max_speed = MAX_SPEED,
+        .joint_rate = JOINS_BY / o->dt,
         .restitution = w->rigid.restitution, .gravity = o->gravity,
         .run = o->host.run };
 }

@@ -26,7 +26,7 @@ static void tear_down(void)
 static linkage_pass pass(void)
 {
     frame = (solver_frame){ .body = solid, .bodies = BODIES, .h = 1 / 480.0,
-                            .substeps = 8, .warm = 1, .max_speed = 3 };
+                            .substeps = 8, .warm = 1, .joint_rate = 12 };
     return (linkage_pass){ &frame, velocity, moved, NULL, 0 };
 }
 

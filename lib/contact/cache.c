@@ -669,6 +669,21 @@ static bool is_through(const contact *now, const contact *was)
         || vec3_dot(now->normal, was->normal) < 0);
 }
 
+// As what it was.  A floor of pieces is a plane until the frame ends: one piece
+// alone has edges that the floor has not.
+static void query_again(contact_cache *c, const cache_frame *f, cache_pair *p)
+{
+    contact *now = &c->entry[p->entry].contact;
+    if (!now->is_floor) {
+        query_pair(c, f, p);
+        return;
+    }
+    const contact was = *now;
+    seams_ask_floor(c, f, p);
+    p->near = -HUGE_VAL;
+    contact_inherit(now, &was);
+}
+
 void cache_again(contact_cache *c, const cache_frame *f, int k)
 {
     cache_pair *p = c->of[k];
@@ -678,7 +693,7 @@ void cache_again(contact_cache *c, const cache_frame *f, int k)
     if (b >= 0) place_body(c, f, b, c->updates);
     p->is_asked = true;
     make_entry(c, f, p, a, b);
-    query_pair(c, f, p);
+    query_again(c, f, p);
     if (b >= 0 && is_through(c->active[k], &was)) {
         *c->active[k] = was;
         p->count = (signed char)was.count;

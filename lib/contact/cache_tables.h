@@ -174,6 +174,7 @@ static inline void cache_take(contact *c, const manifold *m,
     const rigid4 *b = c->piece_b < 0 ? NULL : f->body[c->piece_b].rigid;
     c->count = m->count;
     c->is_ahead = is_ahead;
+    c->is_floor = false;
     c->normal = m->normal;
     c->round_a = m->round_a;
     c->round_b = m->round_b;

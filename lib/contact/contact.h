@@ -29,6 +29,8 @@ typedef struct {
     int  count;             // points; 0: none as near as they were asked for
     bool is_ahead;          // found where the bodies meet later in the frame, not
                             // where they are
+    bool is_floor;          // found with the plane of a floor: with a face of one
+                            // piece, or of several
     long found;             // when it was, as a number that no other has
     real round_a, round_b;  // m, so far from the points of A and of B, along
                             // the normal, are their surfaces; offsets hold it

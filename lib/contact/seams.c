@@ -188,32 +188,6 @@ static bool is_behind_any(const slider *s, const side *b)
 }
 //<
 
-//> seams-straighten
-//>   A body that rocks a little on a floor touches it along its own face or the
-//>   floor's, by turns.
-// Rule 0.  The normal of a floor's face, if it is that up to 0.8 degrees, is the
-// normal: so pieces that lie flush have one and the same, as a plane has.  (Not
-// that of a floor that turns in the frame.)
-static void straighten(const slider *s, side *x)
-{
-    collider b = cache_collider(s->c, s->f, x->b);
-    contact *t = x->contact;
-    real most = ALIKE * ALIKE;      // the cosine, squared
-    vec3 n = x->n;
-    if (b.shape->round > 0 || turns_of(s, x->b) > STAYS * s->f->now[s->a].radius)
-        return;
-    for (int k = 0; k < b.shape->mesh.faces; k++) {
-        vec3 m = face_area(b.shape, b.at, k);
-        real along = vec3_dot(m, x->n), square = vec3_dot(m, m);
-        if (!(along > 0 && along * along > most * square)) continue;
-        most = along * along / square;
-        n = m;
-    }
-    x->n = vec3_unit(n);
-    t->normal = t->piece_a == s->a ? x->n : vec3_scale(-1, x->n);
-}
-//<
-
 //> seams-along
 //>   A contact that is found again is one along a given normal.
 // The point of a face of x that looks along m, over or under p.
@@ -454,6 +428,7 @@ static void take_plane(const slider *s, side *x, const manifold *m)
     bool is_a = t->piece_a == s->a;
     t->count = m->count;
     t->is_ahead = false;
+    t->is_floor = true;
     *(is_a ? &t->round_a : &t->round_b) = m->round_a;
     *(is_a ? &t->round_b : &t->round_a) = 0;
     for (int k = 0; k < m->count; k++) {
@@ -466,6 +441,21 @@ static void take_plane(const slider *s, side *x, const manifold *m)
                                        t->round_a + t->round_b, is_a };
     }
     x->pair->count = (signed char)t->count;
+}
+
+void seams_ask_floor(contact_cache *c, const cache_frame *f, cache_pair *p)
+{
+    contact *t = &c->entry[p->entry].contact;
+    slider s = { .c = c, .f = f, .a = seams_slider(f, t->piece_a, t->piece_b) };
+    bool is_a = t->piece_a == s.a;
+    side x = { .pair = p, .contact = t, .b = is_a ? t->piece_b : t->piece_a,
+               .n = normal_to(&s, t) };
+    const contact_point *on = &t->point[0];
+    vec3 foot = frame_point(&c->placed[x.b], is_a ? on->local_b : on->local_a);
+    collider a = cache_collider(c, f, s.a);
+    manifold m = manifold_on_plane(&a, x.n, vec3_dot(x.n, foot),
+                                   contact_reach(&s, t), f->ahead[s.a].angle);
+    take_plane(&s, &x, &m);
 }
 
 // What pieces of this floor carried that A touches no more.
@@ -537,6 +527,68 @@ static void merge_floors(slider *s)
         if (n > 1) merge_floor(s, of, n);
         else       carry_left(s, &s->side[i]);
     }
+}
+//<
+
+//> seams-straighten
+//>   A body that rocks a little on a floor touches it along its own face or the
+//>   floor's, by turns.
+// Where A, as it stands, lies lowest over face k of B along m, that face's normal.
+static bool find_lowest(const slider *s, const side *x, int k, vec3 m,
+                        manifold *lowest)
+{
+    collider a = cache_collider(s->c, s->f, s->a);
+    collider b = cache_collider(s->c, s->f, x->b);
+    feature_point foot;
+    *lowest = manifold_on_plane(&a, m, vec3_dot(m, b.at[b.shape->face[3 * k]]),
+                                contact_reach(s, x->contact),
+                                s->f->ahead[s->a].angle);
+    for (int i = 0; i < lowest->count; i++)
+        if (!find_foot(&b, m, feature_at(&lowest->point[i].a, a.at), &foot))
+            return false;
+    return lowest->count > 0;
+}
+
+// A cylinder was asked as a prism, and over an edge of the floor the normal of that
+// leans.  Where the cylinder lies lowest over a face, the normal is the face's: no
+// points of both are nearer.  (Not what meets the floor later, on another face.)
+static bool lay_cylinder(const slider *s, side *x, int face, vec3 m)
+{
+    contact *t = x->contact;
+    const contact was = *t;
+    manifold lowest;
+    if (!(s->f->body[s->a].shape->rim > 0) || s->f->moves[x->b] || t->is_ahead
+        || !find_lowest(s, x, face, m, &lowest)) return false;
+    x->n = m;
+    t->normal = t->piece_a == s->a ? m : vec3_scale(-1, m);
+    take_plane(s, x, &lowest);
+    contact_inherit(t, &was);
+    return true;
+}
+
+// Rule 0.  The normal of a floor's face, if it is that up to 0.8 degrees, is the
+// normal: so pieces that lie flush have one and the same, as a plane has.  (Not
+// that of a floor that turns in the frame.)
+static void straighten(const slider *s, side *x)
+{
+    collider b = cache_collider(s->c, s->f, x->b);
+    contact *t = x->contact;
+    real most = 0;                  // the cosine, squared
+    int best = -1;
+    if (b.shape->round > 0 || turns_of(s, x->b) > STAYS * s->f->now[s->a].radius)
+        return;
+    for (int k = 0; k < b.shape->mesh.faces; k++) {
+        vec3 m = face_area(b.shape, b.at, k);
+        real along = vec3_dot(m, x->n), square = vec3_dot(m, m);
+        if (!(along > 0 && along * along > most * square)) continue;
+        most = along * along / square;
+        best = k;
+    }
+    if (best < 0) return;
+    vec3 m = vec3_unit(face_area(b.shape, b.at, best));
+    if (lay_cylinder(s, x, best, m)) return;
+    if (most > ALIKE * ALIKE) x->n = m;
+    t->normal = t->piece_a == s->a ? x->n : vec3_scale(-1, x->n);
 }
 //<
 

@@ -26,5 +26,9 @@ int seams_slider(const cache_frame *f, int a, int b);
 // more.
 void seams_mend(contact_cache *c, const cache_frame *f);
 
+// A contact that was found with the plane of a floor (is_floor) is found again within
+// the frame: with that plane.
+void seams_ask_floor(contact_cache *c, const cache_frame *f, cache_pair *p);
+
 #endif
 //<

@@ -116,6 +116,7 @@ typedef struct {
     real begun[JOINT_ROWS];     // the joint's impulse when the substep began,
     bool was_upper, was_broken; // and the rest, to begin it again
     bool rubs;                  // something presses one that is joined to it
+    bool is_free;               // its tree is joined to nothing that no pull moves
     real pushed[JOINT_ROWS];    // the impulse before the bodies moved, and that
     real older[JOINT_ROWS];     // of the substep before
     real inverse[JOINT_ROWS][JOINT_ROWS];   // of K

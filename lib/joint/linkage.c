@@ -1023,6 +1023,19 @@ static real joined_size(const linkage_pass *q, int b)
     return moves(q->f, b) ? q->f->body[b].radius : HUGE_VAL;
 }
 
+// Has it limits?  Does what no pull moves hold it?
+static void find_tree(linkage *l, const linkage_pass *q, int first, int end)
+{
+    bool *is_limited = &l->body[l->step[end - 1].body].is_limited, is_free = true;
+    for (int s = first; s < end - 1; s++) {
+        const joint *j = &l->joint[l->step[s].joint];
+        *is_limited |= j->is_limited || j->extra > 0;
+        is_free &= yields(q->f, j->a) && yields(q->f, j->b);
+    }
+    for (int s = first; s < end - 1; s++)
+        l->rows[l->step[s].joint].is_free = is_free;
+}
+
 // What stays for a frame.
 static void find_sizes(linkage *l, const linkage_pass *q)
 {
@@ -1040,13 +1053,11 @@ static void find_sizes(linkage *l, const linkage_pass *q)
         r->swing = real_max(a, b);
         r->hung = real_max(hung_swing(q, j->a, a), hung_swing(q, j->b, b));
         r->size = real_min(joined_size(q, j->a), joined_size(q, j->b));
+        r->is_free = false;
     }
     for (int first = 0, end; first < l->steps; first = end) {
         end = tree_end(l, first);
-        bool *is_limited = &l->body[l->step[end - 1].body].is_limited;
-        for (int s = first; s < end - 1; s++)
-            *is_limited |= l->joint[l->step[s].joint].is_limited
-                        || l->joint[l->step[s].joint].extra > 0;
+        find_tree(l, q, first, end);
     }
 }
 //<
@@ -1262,6 +1273,13 @@ static real swung_squared(const linkage_pass *q, const joint *j)
     return most > 0 ? vec3_length_squared(across) / (most * most) : 0;
 }
 
+// What no pull moves holds a body's whole weight, even before a joint has felt it.
+// A tree that falls has none: there a body swings only as its joint pulls.
+static real weighs(const joint_rows *r, real swing)
+{
+    return r->is_free ? real_min(r->hung, swing) : r->hung;
+}
+
 static void break_overloaded(linkage *l, const linkage_pass *q)
 {
     real h = q->f->h;
@@ -1276,7 +1294,8 @@ static void break_overloaded(linkage *l, const linkage_pass *q)
                                             spin_squared(q, j->b)),
                                    swung_squared(q, j)));
         real exactly = l->rows[k].rubs ? RUBBED : TURN_PACE;
-        swing = real_max(swing, exactly * real_max(turns, l->rows[k].hung));
+        real hung = weighs(&l->rows[k], swing);
+        swing = real_max(swing, exactly * real_max(turns, hung));
         l->rows[k].pace = real_max(l->rows[k].pace, swing);
         l->swing = real_max(l->swing, swing);
         expect(j, &l->rows[k]);

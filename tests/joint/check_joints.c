@@ -212,6 +212,31 @@ START_TEST(what_lies_asks_for_half_the_substeps_of_what_flies)
 }
 END_TEST
 
+// The substeps of a frame: a cube of 1 cm hangs at the side of one of 1 m, which
+// falls, or is joined to the world.
+static int substeps_of_a_weight(bool falls)
+{
+    begin_awake(EARTH, 4);
+    add_thrown(box_of(0, vec3_make(1, 1, 1), 1), vec3_make(0, 0.5, 0),
+               vec3_make(0, 0, 0), vec3_make(0, 0, 0));
+    add_thrown(box_of(1, vec3_make(0.01, 0.01, 0.01), 0.01),
+               vec3_make(0.505, 0.5, 0), vec3_make(0, 0, 0), vec3_make(0, 0, 0));
+    ball(0, 1, vec3_make(0.505, 0.505, 0));
+    if (!falls) ball(0, -1, vec3_make(0, 1, 0));
+    steps(5);
+    return w.report.substeps;
+}
+
+START_TEST(what_falls_has_no_weight_that_asks_for_substeps)
+{
+    // A cube of side s that hangs by its top swings about its centre with
+    // sqrt(3 g / s) = 54 rad/s, that is 12 substeps of 0.075 rad in a frame.
+    // Rejects: weight that asks in free fall; one that is held, and asks for nothing.
+    ck_assert_int_eq(substeps_of_a_weight(true), 4);
+    ck_assert_int_ge(substeps_of_a_weight(false), 12);
+}
+END_TEST
+
 // A chain of 50 boxes of 1 kg and 20 cm, and a load; from the vertical, or from
 // the horizontal.
 enum { LINKS = 50 };
@@ -913,6 +938,7 @@ int main(void)
         brick_that_tumbles_about_a_point_keeps_its_energy,
         joined_pair_in_free_flight_keeps_its_momenta,
         what_lies_asks_for_half_the_substeps_of_what_flies,
+        what_falls_has_no_weight_that_asks_for_substeps,
         chain_holds_a_hundred_times_the_weight_of_its_links,
         chain_that_comes_taut_stays_whole,
         joint_bears_what_hangs_on_it,

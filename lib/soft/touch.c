@@ -538,7 +538,10 @@ static bool touch_plane(const soft_frame *f, int i, plane wall, real apart,
                         material m)
 {
     vec3 x = f->particle[i].position;
-    vec3 foot = vec3_add_scaled(x, -plane_height(wall, x), wall.normal);
+    real up = plane_height(wall, x);
+    // Most are far above it.  What is no number is not, and is asked.
+    if (up > apart + pressed_into(&f->hold[i], wall.normal)) return false;
+    vec3 foot = vec3_add_scaled(x, -up, wall.normal);
     return touch_fixed(f, i, (surface_point){ foot, wall.normal }, apart, m);
 }
 

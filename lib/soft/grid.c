@@ -19,23 +19,12 @@ status grid_init(grid *g, int points)
     g->start  = malloc((cells + 2) * sizeof *g->start);
     g->cell   = malloc((n + 1) * sizeof *g->cell);
     g->sorted = malloc((n + 1) * sizeof *g->sorted);
-    g->crowd.x     = malloc((4 * n + 1) * sizeof *g->crowd.x);
-    g->crowd.place = malloc((3 * n + 1) * sizeof *g->crowd.place);
-    if (!g->start || !g->cell || !g->sorted || !g->crowd.x || !g->crowd.place) {
+    g->near   = malloc((n + 1) * sizeof *g->near);
+    if (!g->start || !g->cell || !g->sorted || !g->near) {
         grid_free(g);
         return status_out_of_memory();
     }
-    grid_part(g);
     return status_ok();
-}
-
-void grid_part(grid *g)
-{
-    size_t n = (size_t)g->points;
-    real *x = g->crowd.x;
-    int *place = g->crowd.place;
-    g->crowd = (crowd){ x, x + n, x + 2 * n, x + 3 * n,
-                        place, place + n, place + 2 * n };
 }
 
 void grid_free(grid *g)
@@ -43,8 +32,7 @@ void grid_free(grid *g)
     free(g->start);
     free(g->cell);
     free(g->sorted);
-    free(g->crowd.x);
-    free(g->crowd.place);
+    free(g->near);
     *g = (grid){ 0 };
 }
 //<
@@ -135,31 +123,6 @@ typedef struct {
     int found, capacity;
 } grid_search;
 
-// What stands in a row of cells, copied behind the n that are there.
-static int crowd_add(crowd c, int n, const grid_point *from,
-                     const grid_point *end)
-{
-    for (; from < end; from++, n++) {
-        c.x[n] = from->at.x;
-        c.y[n] = from->at.y;
-        c.z[n] = from->at.z;
-        c.place[n] = from->place;
-        c.number[n] = from->number;
-    }
-    return n;
-}
-
-// Measures number i and those that come after it.
-static void measure_crowd(const real *restrict x, const real *restrict y,
-                          const real *restrict z, real *restrict d2, int i, int n)
-{
-    real x0 = x[i], y0 = y[i], z0 = z[i];
-    for (int k = i + 1; k < n; k++) {
-        real dx = x[k] - x0, dy = y[k] - y0, dz = z[k] - z0;
-        d2[k] = dx * dx + dy * dy + dz * dz;
-    }
-}
-
 // By their places: neighbours in the sheet?
 static bool is_grid_neighbour(int a, int b, int pitch)
 {
@@ -167,19 +130,32 @@ static bool is_grid_neighbour(int a, int b, int pitch)
     return steps <= 1 || abs(steps - pitch) <= 1;
 }
 
-// The first loop asks no question whose answer a processor would have to guess:
-// what may be near is written, and stays if the count moves over it.
-static void look_in_crowd(grid_search *s, crowd c, int i, int n)
+// Pieces of the sorted points: from one number to before another.
+typedef struct {
+    int from, end;
+} grid_piece;
+
+// Those of a piece that are near follow the `count` that are known.  The loop asks
+// no question whose answer a processor would have to guess: what may be near is
+// written, and stays if the count moves over it.
+static int find_in_piece(const grid_search *s, vec3 at, grid_piece x, int count)
 {
-    int near = 0, p = c.number[i];
-    measure_crowd(c.x, c.y, c.z, c.d2, i, n);
-    for (int k = i + 1; k < n; k++) {
-        c.near[near] = k;
-        near += c.d2[k] < s->reach2;
+    const grid_point *sorted = s->g->sorted;
+    int *near = s->g->near;
+    for (int k = x.from; k < x.end; k++) {
+        near[count] = k;
+        vec3 d = vec3_sub(sorted[k].at, at);
+        count += vec3_length_squared(d) < s->reach2;
     }
-    for (int k = 0; k < near; k++) {
-        int q = c.number[c.near[k]];
-        if (is_grid_neighbour(c.place[i], c.place[c.near[k]], s->pitch)) continue;
+    return count;
+}
+
+static void keep_near(grid_search *s, const grid_point *a, int count)
+{
+    for (int k = 0; k < count; k++) {
+        const grid_point *b = &s->g->sorted[s->g->near[k]];
+        int p = a->number, q = b->number;
+        if (is_grid_neighbour(a->place, b->place, s->pitch)) continue;
         if (s->found < s->capacity)
             s->out[s->found] = (leaf_pair){ p < q ? p : q, p < q ? q : p };
         s->found++;
@@ -195,21 +171,26 @@ static void look_around_cell(grid_search *s, int cell)
 {
     static const int row[4][2] = { { 1, 0 }, { -1, 1 }, { 0, 1 }, { 1, 1 } };
     const int *start = s->g->start;
-    const grid_point *sorted = s->g->sorted;
     int nx = s->c.nx, x = cell % nx, here = cell - x;
     int y = cell / nx % s->c.ny, z = cell / nx / s->c.ny;
     int left = x > 0 ? x - 1 : 0, right = x + 1 < nx ? x + 1 : x;
-    int own = start[cell + 1] - start[cell];
-    int n = crowd_add(s->g->crowd, 0, sorted + start[cell],
-                      sorted + start[here + right + 1]);
+    grid_piece piece[5] = { { 0, start[here + right + 1] } };
+    int pieces = 1;
     for (int r = 0; r < 4; r++) {
         int v = y + row[r][0], w = z + row[r][1];
         if (v < 0 || v >= s->c.ny || w >= s->c.nz) continue;
         int there = (w * s->c.ny + v) * nx;
-        n = crowd_add(s->g->crowd, n, sorted + start[there + left],
-                      sorted + start[there + right + 1]);
+        piece[pieces++] = (grid_piece){ start[there + left],
+                                        start[there + right + 1] };
     }
-    for (int i = 0; i < own; i++) look_in_crowd(s, s->g->crowd, i, n);
+    for (int i = start[cell]; i < start[cell + 1]; i++) {
+        const grid_point *a = &s->g->sorted[i];
+        int count = 0;
+        piece[0].from = i + 1;
+        for (int k = 0; k < pieces; k++)
+            count = find_in_piece(s, a->at, piece[k], count);
+        keep_near(s, a, count);
+    }
 }
 
 int grid_pairs(grid *g, const vec3 *at, int n, real reach, int columns,

@@ -16,21 +16,13 @@ typedef struct {
     int  place;         // in the sheet: see grid_pairs
 } grid_point;
 
-// A cell's points and those around it, while it is looked at.
-typedef struct crowd {
-    real *x, *y, *z;    // [points] m
-    real *d2;           // [points] m^2, squares of distances from one of them
-    int  *place;        // [points]
-    int  *number;       // [points]
-    int  *near;         // [points] which of them are near that one
-} crowd;
-
 typedef struct grid {
     int points, cells;  // for so many there is room
     int *start;         // [cells + 2] the first point of each cell
     int *cell;          // [points] where each point is
     grid_point *sorted; // [points] by cell, then by number
-    struct crowd crowd;
+    int *near;          // [points] those near one of them, by their place
+                        // in `sorted`
 } grid;
 //<
 
@@ -39,7 +31,6 @@ typedef struct grid {
 //>   across the cells, are left out at once, because they are near by nature.
 // For that many points, >= 0.  Fails, leaving *g empty, if memory is refused.
 status grid_init(grid *g, int points);
-void   grid_part(grid *g);      // its crowd's tables lie in x and place
 void   grid_free(grid *g);      // an empty or zeroed one is fine
 
 // The pairs of n points at `at` (n <= g->points) that are nearer than reach (m,

@@ -149,18 +149,10 @@ static void trees_store(near_lists *l, store *s)
 static void grid_store(grid *g, store *s)
 {
     int points = g->points;
-    crowd *c = &g->crowd;
     STORE_ROOM(s, g->start, g->cells + 2);
     STORE_ROOM(s, g->cell, points + 1);
     STORE_ROOM(s, g->sorted, points + 1);
-    STORE_ROOM(s, c->x, 4 * points + 1);
-    STORE_ROOM(s, c->place, 3 * points + 1);
-    STORE_FORGET(s, c->y);
-    STORE_FORGET(s, c->z);
-    STORE_FORGET(s, c->d2);
-    STORE_FORGET(s, c->number);
-    STORE_FORGET(s, c->near);
-    if (s->is_reading && s->done.ok && points > 0) grid_part(g);
+    STORE_ROOM(s, g->near, points + 1);
 }
 
 static void near_store(near_lists *l, store *s)

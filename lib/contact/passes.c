@@ -219,6 +219,22 @@ static void find_gaps(block *k, const raw_block *raw)
     }
 }
 
+// What an impact put back stands, until the substep is over, where it has not been:
+// a gap that is closed there, and was open, is as it was.
+static inline void keep_open(block *k, const real4 was[CONTACT_POINTS])
+{
+    for (int j = 0; j < k->points; j++) {
+        block_point *p = &k->point[j];
+        real4 kept = real4_if_positive(was[j], was[j], p->gap);
+        p->gap = p->now = real4_if_positive(p->gap, p->gap, kept);
+    }
+}
+
+static inline void take_gaps(const block *k, real4 gap[CONTACT_POINTS])
+{
+    for (int j = 0; j < k->points; j++) gap[j] = k->point[j].gap;
+}
+
 // The arms, where the bodies stand now; or, for rows, elsewhere, if one of them
 // lies or touches a driven body that turns.
 static inline void take_arms(const contact_solver *s, const block *k,
@@ -540,6 +556,18 @@ static bool is_fresh(const block *k, const solver_frame *f, int spare)
     return some;
 }
 
+static void renew_block(contact_solver *s, block *k, const solver_frame *f)
+{
+    raw_block raw;
+    if (acts(k)) {
+        make_rows_of(s, k, f);
+        return;
+    }
+    see_gaps_of(s, k, f, &raw);
+    k->is_stale = true;
+    k->lies = false;
+}
+
 static void renew_chunk(void *data, int item)
 {
     const preparation *p = data;
@@ -547,15 +575,11 @@ static void renew_chunk(void *data, int item)
     int end = task_last(item, s->blocks, FEW_BLOCKS);
     for (int n = item * FEW_BLOCKS; n < end; n++) {
         block *k = &s->block[n];
-        raw_block raw;
+        real4 was[CONTACT_POINTS];
         if (!is_fresh(k, p->f, s->room)) continue;
-        if (acts(k)) {
-            make_rows_of(s, k, p->f);
-            continue;
-        }
-        see_gaps_of(s, k, p->f, &raw);
-        k->is_stale = true;
-        k->lies = false;
+        take_gaps(k, was);
+        renew_block(s, k, p->f);
+        if (p->f->is_put_back) keep_open(k, was);
     }
 }
 //<
@@ -731,7 +755,10 @@ ALWAYS_INLINE bool wakes(block *k, const solver_pass *q, const sides4 *u, bool t
         closing = real4_min(closing, then);
     }
     if (!real4_any(closing)) return false;
+    real4 was[CONTACT_POINTS];
+    take_gaps(k, was);
     make_rows_of(q->s, k, q->f);
+    keep_open(k, was);
     see_block(k, q, two);
     return true;
 }

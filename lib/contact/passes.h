@@ -51,6 +51,7 @@ typedef struct {
     int  bodies;
     const char *fresh;          // [bodies] has it a new frame and basis since
                                 // rows were made?  NULL: all have
+    bool is_put_back;           // by an impact, to where it has not been
     const rigid_frame *rows_at; // [bodies] where rows are made, if not where
     const char *is_elsewhere;   // [bodies] it stands; NULL: none is elsewhere;
                                 // or GOES_EXACTLY, ...

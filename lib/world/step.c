@@ -585,9 +585,10 @@ static void fall(world *w, real h)
     }
 }
 
-static void renew(world *w, solver_frame f)
+static void renew(world *w, solver_frame f, bool is_put_back)
 {
     f.fresh = w->rigid.fresh;
+    f.is_put_back = is_put_back;
     solver_renew(&w->rigid.solver, &f);
 }
 
@@ -623,7 +624,7 @@ static void bounce(world *w, const solver_frame *f)
                            t->now, t->velocity, t->moved)) return;
     advance_struck(w);
     face_balls(w, f);
-    renew(w, *f);
+    renew(w, *f, true);
     solver_see_gaps(&t->solver, f, t->moved);
 }
 
@@ -643,7 +644,7 @@ static void substep(world *w, const solver_frame *f, real *since)
     blow_stop(&t->solver, f, t->velocity);
     if (r->hangs) linkage_push(&w->joints, &joints, true);
     advance_bodies(w, f->h);
-    renew(w, *f);
+    renew(w, *f, false);
     ledger_halfway(w, -f->h / 2);
     if (r->hangs) linkage_relax(&w->joints, &joints);
     solver_relax(&t->solver, f, t->velocity, t->moved);

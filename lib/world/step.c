@@ -469,29 +469,10 @@ static void find_pairs(world *w)
 //<
 
 //> step-contacts
-//>   What is struck looks as far ahead as what strikes it. The cache is lent the
-//>   bodies, and gives back the contacts of the frame.
-// What is struck goes on at most as far as what may strike it: it looks as far
-// ahead, or it would find no contact with what it is thrown at.
-static void look_past_blows(world *w)
-{
-    rigid_tables *t = &w->rigid;
-    for (int k = 0; k < t->pairs.count; k++) {
-        int a = t->pairs.pair[k][0], b = t->pairs.pair[k][1];
-        real x = t->reach[a], y = t->reach[b];
-        if (!(y > t->ahead[a].reach || x > t->ahead[b].reach)) continue;
-        real near = t->ball[a].radius + t->ball[b].radius + x + y;
-        vec3 d = vec3_sub(t->ball[a].center, t->ball[b].center);
-        if (!(vec3_length_squared(d) < near * near)) continue;
-        if (t->moves[a]) t->ahead[a].reach = real_max(t->ahead[a].reach, y);
-        if (t->moves[b]) t->ahead[b].reach = real_max(t->ahead[b].reach, x);
-    }
-}
-
+//>   The cache is lent the bodies, and gives back the contacts of the frame.
 static void find_manifolds(world *w)
 {
     rigid_tables *t = &w->rigid;
-    look_past_blows(w);
     cache_frame f = ahead_frame(w);
     cache_update(&t->cache, &f);
     if (w->options.host.meets) hear_choose(w);

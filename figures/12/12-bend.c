@@ -74,7 +74,7 @@ static real sag(int links, real load)
                                             0.97, p[i].previous);
         verlet_step(p, strip.particles, vec3_make(0, -1, 0), NULL, h);
         bend_relax(&strip, 1 / load, p, h, room);
-        lines_relax(&strip, p, 10, o, NULL, 0, scratch);
+        lines_relax(&strip, p, 1, 10, o, NULL, 0, scratch);
     }
     real drop = -p[strip.particles - 1].position.y;
     line_scratch_free(scratch);

@@ -168,7 +168,7 @@ static double time_links(const shape *s, particle *p, link_way how,
             for (int r = 0; r < rounds && how == FETCHED; r++)
                 for (int d = 0; d < shape_directions(s); d++)
                     line_solve(shape_strands(s, d), p, 1, o, scratch);
-            if (how == SOLVED) lines_relax(s, p, rounds, o, NULL, 0, scratch);
+            if (how == SOLVED) lines_relax(s, p, 1, rounds, o, NULL, 0, scratch);
         }
         best = fmin(best, clock_seconds() - begin);
     }

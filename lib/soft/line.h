@@ -97,8 +97,9 @@ line_result line_solve(strands s, particle *p, int steps,
 // The result: worst of the last sweep, sweeps in the place of steps.  As if by
 // line_solve for each direction, but along the new gradient all sweeps but the
 // last (and, where threads give, the first) ask for 1.2 times what is wrong, and the
-// places are fetched and brought back only once.  After the first sweep a block of eight lines of a
-// cloth is left out if all of them are good, measured as if threads did not give.
+// places are fetched and brought back only once.  After the first sweep a block of
+// eight lines of a cloth is left out if all of them are good, measured as if threads
+// did not give.
 // (A lost line goes back to where it was before them all.)
 // hold: [particles], or NULL: nothing is touched; writes the pull of all that
 // are not LINE_FREE, and the pushes of ropes and of strands that give.  A strand

@@ -44,7 +44,7 @@ const rigid_frame JOINT_WORLD = {
     { 0, 0, 0 }, { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }
 };
 
-static vec3 turned_by_frame(const rigid_frame *f, vec3 local)
+static vec3 in_world(const rigid_frame *f, vec3 local)
 {
     return vec3_sub(frame_point(f, local), f->center);
 }
@@ -102,9 +102,9 @@ joint joint_make(const joint_plan *p, const rigid_frame *a,
 //>   A hinge with a limit needs to know its angle.
 real joint_angle(const joint *j, const rigid_frame *a, const rigid_frame *b)
 {
-    vec3 arrow = turned_by_frame(b, j->axis_b[1]);
-    return real_angle(vec3_dot(arrow, turned_by_frame(a, j->axis_a[1])),
-                    vec3_dot(arrow, turned_by_frame(a, j->axis_a[2])));
+    vec3 arrow = in_world(b, j->axis_b[1]);
+    return real_angle(vec3_dot(arrow, in_world(a, j->axis_a[1])),
+                    vec3_dot(arrow, in_world(a, j->axis_a[2])));
 }
 //<
 
@@ -114,26 +114,26 @@ real joint_angle(const joint *j, const rigid_frame *a, const rigid_frame *b)
 //>   the swing is taken back by the shortest way.
 real joint_swing(const joint *j, const rigid_frame *a, const rigid_frame *b)
 {
-    vec3 x = turned_by_frame(a, j->axis_a[0]), y = turned_by_frame(b, j->axis_b[0]);
+    vec3 x = in_world(a, j->axis_a[0]), y = in_world(b, j->axis_b[0]);
     return real_angle(vec3_dot(x, y), vec3_length(vec3_cross(x, y)));
 }
 
 real joint_twist(const joint *j, const rigid_frame *a, const rigid_frame *b)
 {
-    vec3 x = turned_by_frame(a, j->axis_a[0]), y = turned_by_frame(b, j->axis_b[0]);
-    vec3 arrow = turned_by_frame(b, j->axis_b[1]), turn = vec3_cross(y, x);
+    vec3 x = in_world(a, j->axis_a[0]), y = in_world(b, j->axis_b[0]);
+    vec3 arrow = in_world(b, j->axis_b[1]), turn = vec3_cross(y, x);
     real more = 1 + vec3_dot(x, y);
     vec3 once = vec3_cross(turn, arrow), twice = vec3_cross(turn, once);
     arrow = vec3_add(arrow, once);
     if (more > 0) arrow = vec3_add_scaled(arrow, 1 / more, twice);
-    return real_angle(vec3_dot(arrow, turned_by_frame(a, j->axis_a[1])),
-                    vec3_dot(arrow, turned_by_frame(a, j->axis_a[2])));
+    return real_angle(vec3_dot(arrow, in_world(a, j->axis_a[1])),
+                    vec3_dot(arrow, in_world(a, j->axis_a[2])));
 }
 
 real joint_twist_length(const joint *j, const rigid_frame *a,
                         const rigid_frame *b)
 {
-    vec3 x = turned_by_frame(a, j->axis_a[0]), y = turned_by_frame(b, j->axis_b[0]);
+    vec3 x = in_world(a, j->axis_a[0]), y = in_world(b, j->axis_b[0]);
     real more = 1 + vec3_dot(x, y);
     return more > 0 ? sqrt(2 / more) : 0;
 }
@@ -165,13 +165,13 @@ real joint_where(const joint *j, const rigid_frame *a, const rigid_frame *b)
     joint_points(j, a, b, &on_a, &on_b);
     if (j->kind == JOINT_DISTANCE) return vec3_distance(on_a, on_b);
     if (j->kind != JOINT_SLIDER) return 0;
-    return vec3_dot(vec3_sub(on_b, on_a), turned_by_frame(a, j->axis_a[0]));
+    return vec3_dot(vec3_sub(on_b, on_a), in_world(a, j->axis_a[0]));
 }
 
 vec3 joint_way(const joint *j, const rigid_frame *a, const rigid_frame *b)
 {
     vec3 on_a, on_b;
-    if (j->kind != JOINT_DISTANCE) return turned_by_frame(a, j->axis_a[0]);
+    if (j->kind != JOINT_DISTANCE) return in_world(a, j->axis_a[0]);
     joint_points(j, a, b, &on_a, &on_b);
     return vec3_unit(vec3_sub(on_b, on_a));
 }
@@ -184,8 +184,8 @@ static vec3 twist_between(const joint *j, const rigid_frame *a,
 {
     vec3 sum = { 0, 0, 0 };
     for (int i = 0; i < JOINT_AXES; i++)
-        sum = vec3_add(sum, vec3_cross(turned_by_frame(b, j->axis_b[i]),
-                                       turned_by_frame(a, j->axis_a[i])));
+        sum = vec3_add(sum, vec3_cross(in_world(b, j->axis_b[i]),
+                                       in_world(a, j->axis_a[i])));
     return vec3_scale(0.5, sum);
 }
 
@@ -207,8 +207,8 @@ static vec3 locked_tilt(const joint *j, const rigid_frame *a,
     }
     if (turns == TURNS) return twist_between(j, a, b);
     if (turns < 2) return none;
-    return vec3_cross(turned_by_frame(b, j->axis_b[free]),
-                      turned_by_frame(a, j->axis_a[free]));
+    return vec3_cross(in_world(b, j->axis_b[free]),
+                      in_world(a, j->axis_a[free]));
 }
 
 static void lock_errors(const joint *j, const rigid_frame *a,
@@ -240,18 +240,18 @@ static void slider_errors(const joint *j, const joint_rows *r,
                           const rigid_frame *a, const rigid_frame *b, vec3 gap,
                           real e[JOINT_ROWS])
 {
-    e[0] = vec3_dot(gap, turned_by_frame(a, j->axis_a[1]));
-    e[1] = vec3_dot(gap, turned_by_frame(a, j->axis_a[2]));
+    e[0] = vec3_dot(gap, in_world(a, j->axis_a[1]));
+    e[1] = vec3_dot(gap, in_world(a, j->axis_a[2]));
     put_three(e + 2, twist_between(j, a, b));
-    e[5] = room(j, r, -vec3_dot(gap, turned_by_frame(a, j->axis_a[0])));
+    e[5] = room(j, r, -vec3_dot(gap, in_world(a, j->axis_a[0])));
 }
 
 static void hinge_errors(const joint *j, const joint_rows *r,
                          const rigid_frame *a, const rigid_frame *b,
                          real e[JOINT_ROWS])
 {
-    vec3 tilt = vec3_cross(turned_by_frame(b, j->axis_b[0]),
-                           turned_by_frame(a, j->axis_a[0]));
+    vec3 tilt = vec3_cross(in_world(b, j->axis_b[0]),
+                           in_world(a, j->axis_a[0]));
     for (int k = 0; k < 2; k++) e[3 + k] = vec3_dot(tilt, r->across[k]);
     if (j->is_limited || j->is_driven)
         e[5] = room(j, r, joint_angle(j, a, b));
@@ -360,13 +360,13 @@ static void find_hinge_rows(joint_rows *r, const joint *j, const joint_side *a,
                             const joint_side *b)
 {
     for (int k = 0; k < 2; k++) {
-        r->across[k] = turned_by_frame(&a->frame, j->axis_a[1 + k]);
+        r->across[k] = in_world(&a->frame, j->axis_a[1 + k]);
         turn_apart(r, 3 + k, a, b, r->across[k]);
     }
     r->held = 5;
     if (!j->is_limited && !j->is_driven) return;
     choose_limit(r, j, joint_angle(j, &a->frame, &b->frame));
-    vec3 axis = turned_by_frame(&a->frame, j->axis_a[0]);
+    vec3 axis = in_world(&a->frame, j->axis_a[0]);
     turn_apart(r, 5, a, b, vec3_scale(r->is_upper ? 1 : -1, axis));
 }
 
@@ -376,7 +376,7 @@ static void find_cone_rows(joint_rows *r, const joint *j, const joint_side *a,
                            const joint_side *b)
 {
     const rigid_frame *f = &a->frame, *g = &b->frame;
-    vec3 x = turned_by_frame(f, j->axis_a[0]), y = turned_by_frame(g, j->axis_b[0]);
+    vec3 x = in_world(f, j->axis_a[0]), y = in_world(g, j->axis_b[0]);
     vec3 lean = vec3_cross(y, x), sum = vec3_add(x, y);
     real length = vec3_length(lean), twist = joint_twist(j, f, g);
     real more = 1 + vec3_dot(x, y);
@@ -391,8 +391,8 @@ static void find_cone_rows(joint_rows *r, const joint *j, const joint_side *a,
 static void find_friction_rows(joint_rows *r, const joint *j,
                                const joint_side *a, const joint_side *b)
 {
-    vec3 x = turned_by_frame(&a->frame, j->axis_a[0]);
-    vec3 y = turned_by_frame(&b->frame, j->axis_b[0]);
+    vec3 x = in_world(&a->frame, j->axis_a[0]);
+    vec3 y = in_world(&b->frame, j->axis_b[0]);
     vec3 lean = vec3_cross(y, x), third = vec3_cross(lean, vec3_add(x, y));
     real length = vec3_length(third);
     r->twist_size = 1;
@@ -413,13 +413,13 @@ static void find_slider_rows(joint_rows *r, const joint *j, const joint_side *a,
                              const joint_side *b, vec3 on_b)
 {
     for (int k = 0; k < 2; k++)
-        go_apart(r, k, a, b, on_b, turned_by_frame(&a->frame, j->axis_a[1 + k]));
+        go_apart(r, k, a, b, on_b, in_world(&a->frame, j->axis_a[1 + k]));
     for (int k = 0; k < 3; k++) turn_apart(r, 2 + k, a, b, AXIS[k]);
     r->held = 5;
     r->lengths = 2;
     if (!j->is_limited && !j->is_driven) return;
     real sign = choose_limit(r, j, joint_where(j, &a->frame, &b->frame));
-    vec3 axis = turned_by_frame(&a->frame, j->axis_a[0]);
+    vec3 axis = in_world(&a->frame, j->axis_a[0]);
     go_apart(r, 5, a, b, on_b, vec3_scale(-sign, axis));
 }
 

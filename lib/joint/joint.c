@@ -104,7 +104,7 @@ real joint_angle(const joint *j, const rigid_frame *a, const rigid_frame *b)
 {
     vec3 arrow = in_world(b, j->axis_b[1]);
     return real_angle(vec3_dot(arrow, in_world(a, j->axis_a[1])),
-                    vec3_dot(arrow, in_world(a, j->axis_a[2])));
+                      vec3_dot(arrow, in_world(a, j->axis_a[2])));
 }
 //<
 
@@ -127,7 +127,7 @@ real joint_twist(const joint *j, const rigid_frame *a, const rigid_frame *b)
     arrow = vec3_add(arrow, once);
     if (more > 0) arrow = vec3_add_scaled(arrow, 1 / more, twice);
     return real_angle(vec3_dot(arrow, in_world(a, j->axis_a[1])),
-                    vec3_dot(arrow, in_world(a, j->axis_a[2])));
+                      vec3_dot(arrow, in_world(a, j->axis_a[2])));
 }
 
 real joint_twist_length(const joint *j, const rigid_frame *a,

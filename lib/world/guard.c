@@ -374,7 +374,127 @@ static lost_side side_of(const rigid_tables *t, int large, int face,
     return (lost_side){ n, vec3_sub(to, end->center), real_min(was, high) - is };
 }
 
-// Both make way, by their masses.
+// What a body's moments of inertia make of a spin along e.
+static vec3 inertia_along(const motion_basis *basis, vec3 e)
+{
+    vec3 sum = { 0, 0, 0 };
+    for (int t = 0; t < TURNS; t++) {
+        vec3 turn = basis->turn[t];
+        real square = vec3_length_squared(turn);
+        sum = vec3_add_scaled(sum, vec3_dot(turn, e) / (square * square), turn);
+    }
+    return sum;
+}
+
+// How two bodies would turn as one about their common centre, the first at r from
+// the second, with this angular momentum.  (Cramer's rule.)
+static vec3 spin_together(const motion_basis *a, const motion_basis *b, vec3 r,
+                          vec3 angular)
+{
+    const vec3 axis[3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
+    real mass = 1 / (a->inverse_mass + b->inverse_mass);
+    vec3 of[3];
+    for (int k = 0; k < 3; k++) {
+        vec3 way = vec3_cross(r, vec3_cross(axis[k], r));
+        of[k] = vec3_add(inertia_along(a, axis[k]), inertia_along(b, axis[k]));
+        of[k] = vec3_add_scaled(of[k], mass, way);
+    }
+    vec3 across = vec3_cross(of[1], of[2]);
+    vec3 spin = { vec3_dot(angular, across),
+                  vec3_dot(angular, vec3_cross(of[2], of[0])),
+                  vec3_dot(angular, vec3_cross(of[0], of[1])) };
+    return vec3_scale(1 / vec3_dot(of[0], across), spin);
+}
+
+// A pair beside its centre of mass: how it would move as one body, and the rest.
+typedef struct {
+    motion_basis basis[2];
+    vec3 r, mean;               // m, from the second to the first; m/s
+    motion u[2];
+} close_pair;
+
+static close_pair pair_of(const rigid_tables *t, const int side[2])
+{
+    const motion *u = &t->velocity[side[0]], *v = &t->velocity[side[1]];
+    const solver_body *a = &t->now[side[0]], *b = &t->now[side[1]];
+    close_pair p = { { a->basis, b->basis }, .u = { *u, *v } };
+    real x = p.basis[0].inverse_mass, y = p.basis[1].inverse_mass;
+    real mean[3];
+    for (int i = 0; i < 3; i++) {
+        mean[i] = (y * u->of[i] + x * v->of[i]) / (x + y);
+        p.u[0].of[i] -= mean[i];
+        p.u[1].of[i] -= mean[i];
+    }
+    p.mean = vec3_make(mean[0], mean[1], mean[2]);
+    p.r = vec3_sub(a->frame.center, b->frame.center);
+    return p;
+}
+
+static vec3 straight_of(const motion *u)
+{
+    return vec3_make(u->of[0], u->of[1], u->of[2]);
+}
+
+static vec3 angular_of(const close_pair *p)
+{
+    real sum = p->basis[0].inverse_mass + p->basis[1].inverse_mass;
+    vec3 apart = vec3_sub(straight_of(&p->u[0]), straight_of(&p->u[1]));
+    vec3 own = vec3_add(motion_angular(&p->basis[0], &p->u[0]),
+                        motion_angular(&p->basis[1], &p->u[1]));
+    return vec3_add_scaled(own, 1 / sum, vec3_cross(p->r, apart));
+}
+
+// Adds share times the motion that the pair has as one body, which turns.
+static void add_common(close_pair *p, real share, vec3 spin)
+{
+    real sum = p->basis[0].inverse_mass + p->basis[1].inverse_mass;
+    for (int k = 0; k < 2; k++) {
+        real out = (k ? -1 : 1) * p->basis[k].inverse_mass / sum;
+        vec3 way = vec3_scale(out, vec3_cross(spin, p->r));
+        motion u = motion_make(&p->basis[k], way, spin);
+        for (int i = 0; i < MOTIONS; i++) p->u[k].of[i] += share * u.of[i];
+    }
+}
+
+static real energy_of(const close_pair *p)
+{
+    return motion_energy(&p->basis[0], &p->u[0])
+         + motion_energy(&p->basis[1], &p->u[1]);
+}
+
+// Of an energy `part`, so much that no more than `most` is left: a share of speed.
+static real slowed_to(real most, real part)
+{
+    return part > most ? sqrt(real_max(most, 0) / part) : 1;
+}
+
+// Two bodies that have been put elsewhere get back the angular momentum (N m s)
+// that they lost by that: they turn as one body that has it all, and what they do
+// beside that is slowed, for energy must not grow.  (The spin of one of them alone
+// would take any energy for it, and a needle's the most.)
+static void turn_together(rigid_tables *t, const int side[2], vec3 moment)
+{
+    close_pair p = pair_of(t, side), common = p;
+    vec3 angular = angular_of(&p);
+    vec3 is = spin_together(&p.basis[0], &p.basis[1], p.r, angular);
+    vec3 was = spin_together(&p.basis[0], &p.basis[1], p.r,
+                             vec3_add(angular, moment));
+    real energy = energy_of(&p);
+    common.u[0] = common.u[1] = (motion){ { 0 } };
+    add_common(&common, 1, was);
+    real turns = energy_of(&common), share = slowed_to(energy, turns);
+    add_common(&p, -1, is);
+    real beside = slowed_to(energy - turns, energy_of(&p));
+    for (int k = 0; k < 2; k++) {
+        real mean[MOTIONS] = { p.mean.x, p.mean.y, p.mean.z };
+        for (int i = 0; i < MOTIONS; i++)
+            t->velocity[side[k]].of[i] = mean[i] + share * common.u[k].of[i]
+                                       + beside * p.u[k].of[i];
+    }
+}
+
+// Both make way, by their masses.  A shift across the way that they go changes
+// their angular momentum.
 static void put_back(rigid_tables *t, int small, int large, const lost_side *s)
 {
     solver_body *a = &t->now[small], *b = &t->now[large];
@@ -383,24 +503,11 @@ static void put_back(rigid_tables *t, int small, int large, const lost_side *s)
                                       s->normal);
     b->frame.center = vec3_add_scaled(b->frame.center, -s->need * y / (x + y),
                                       s->normal);
-}
-
-static real energy_of(const rigid_tables *t, int b)
-{
-    return motion_energy(&t->now[b].basis, &t->velocity[b]);
-}
-
-// A shift across the way that they go changes their angular momentum: the larger
-// one's spin gives it back, if that adds no energy to what they had, `most` (J).
-static void give_back(rigid_tables *t, int small, int large, const lost_side *s,
-                      vec3 apart, real most)
-{
-    real sum = t->now[small].basis.inverse_mass + t->now[large].basis.inverse_mass;
-    motion was = t->velocity[large];
-    motion_twist(&t->velocity[large], &t->now[large].basis,
-                 vec3_scale(s->need / sum, vec3_cross(apart, s->normal)));
-    if (!(energy_of(t, small) + energy_of(t, large) <= most))
-        t->velocity[large] = was;
+    const real *u = t->velocity[small].of, *v = t->velocity[large].of;
+    vec3 apart = { u[0] - v[0], u[1] - v[1], u[2] - v[2] };
+    vec3 moment = vec3_scale(s->need / (x + y), vec3_cross(apart, s->normal));
+    const int both[2] = { small, large };
+    if (x > 0 && y > 0) turn_together(t, both, moment);
 }
 
 // The impulse after which the smaller one's centre goes no further in.
@@ -431,14 +538,8 @@ static void stop_passing(rigid_tables *t, int small, int large)
     if (x.face < 0 || cuts_corner(&t->body[large], &x)) return;
     lost_side s = side_of(t, large, x.face, end, from, to,
                           t->body[small].inner);
-    const real *u = t->velocity[small].of, *v = t->velocity[large].of;
-    vec3 apart = { u[0] - v[0], u[1] - v[1], u[2] - v[2] };
-    real most = energy_of(t, small) + energy_of(t, large);
-    bool yields = t->now[large].basis.inverse_mass > 0
-               && t->now[small].basis.inverse_mass > 0;
     put_back(t, small, large, &s);
     stop_closing(t, small, large, &s);
-    if (yields) give_back(t, small, large, &s, apart, most);
 }
 
 // Only where they may go as far as the ball inside the smaller one.

@@ -1085,7 +1085,7 @@ static void remember(const joint *j, joint_rows *r)
 // begins with.  While its bodies swing evenly that grows by as much as it grew
 // before; what changed by more than this share was struck.  (Half and double take
 // as many solves; with four times as much a heavy chain loses its numbers, case 167.)
-static const real STRUCK = 0.25;             // tuned, 1
+static const real STRUCK = 0.25;            // tuned, 1
 
 static void expect(joint *j, joint_rows *r)
 {
@@ -1237,7 +1237,7 @@ static real force_of(const joint *j, const joint_rows *r, real h)
 // this 5 of 27 thrown linkages (chapter 20, case 169) change their energy by more
 // than a thousandth, with three quarters of it 10, and 4 of 36 conical pendulums
 // (case 163) go round too fast.
-static const real TURN_PACE = 8;               // tuned, 1
+static const real TURN_PACE = 8;            // tuned, 1
 
 // Where something presses, energy goes, and no orbit is kept: half as exactly is
 // enough.  (Half of that opens 4 joints under sudden loads for 1, case 166, and saves

@@ -172,7 +172,7 @@ static bool is_awaited(const world *w, int b, int piece)
 // What flies further than its own size is surrounded along its way, and each
 // time again.
 // Prisms are placed that far around a body, for the next frames.
-static const real LOOKS_WIDER = 1.2;              // tuned, radii
+static const real LOOKS_WIDER = 1.2;        // tuned, radii
 
 static void surround_body(surrounding *s, const presence *it)
 {

@@ -979,7 +979,7 @@ real shape_width(const shape *s, int direction)
 //>   and whose neighbours all touch the same plane, is left free, because no
 //>   link draws it down. Afterwards the pulls are read off the moves.
 // What is held gives way by this share of what it would.
-static const real GIVE_SHARE = 0.3;               // tuned, 1
+static const real GIVE_SHARE = 0.3;         // tuned, 1
 
 // Marks particle i in its blocks.  The last one may share lines with the one
 // before it.

@@ -190,7 +190,7 @@ void rigid_view_look(rigid_view *v, const soft_frame *f, int b)
 // right-angled edge 0.05: that much, and some more, facets keep from all.  What
 // is about as thin as a cell may be sharp, too, and be through in a substep: it
 // is stopped earlier.
-static const real THIN_SHEET = 1.5;               // tuned, spacings
+static const real THIN_SHEET = 1.5;         // tuned, spacings
 static const real GAP = 0.3;                // tuned, thicknesses
 static const real GAP_THIN = 0.7;           // tuned, thicknesses
 

@@ -377,7 +377,7 @@ static prediction predict_soft(const soft_frame *f, int b)
 
 // Every change of their number jolts a cloth: it rises at once, and falls when
 // it has been too high for SOFT_PATIENCE frames.
-enum { SOFT_PATIENCE = 3 };                      // tuned, frames
+enum { SOFT_PATIENCE = 3 };                 // tuned, frames
 
 static void choose_pace(soft_solver *s)
 {
@@ -481,7 +481,7 @@ static const real SAG = 0.02;               // tuned, spacings
 // A taut link swings sideways with its ends, and longer substeps than a limit
 // make it swing ever wider: chapter 12.  So the weight of all of a rope, which
 // may hang on its lightest link, moves that by this share of its length at most.
-static const real TAUT_WITHIN = 0.25;              // tuned, lengths
+static const real TAUT_WITHIN = 0.25;       // tuned, lengths
 
 static real lightest_of(const shape *s)
 {

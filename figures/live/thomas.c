@@ -104,7 +104,7 @@ static unsigned long long hash(void)
 const live_figure figure = {
     .name = "thomas",
     .says = "A string of nine particles in a zigzag; a walk down it leaves an arrow at each, a walk up puts each where it will be",
-    .code = "lib/soft/taut.c eliminate taut_step",
+    .code = "lib/soft/taut.c eliminate_string taut_step",
     .pane = { { -3.1, -1.1, 6.2, 2.35 } },
     .dial = { [PULL] = { "stiffness", "kg", 0.1, 10, 0.1, 2, NULL, true } },
     .begin = reset, .step = step, .draw = draw, .hash = hash, .move = move,

@@ -178,14 +178,14 @@ IF_THERE void *__wrap_realloc(void *p, size_t size);
 IF_THERE void *__wrap_aligned_alloc(size_t alignment, size_t size);
 IF_THERE void  __wrap_free(void *p);
 
-void *(malloc)(size_t size) { return __wrap_malloc ? __wrap_malloc(size) : __real_malloc(size); }
-void *(calloc)(size_t n, size_t size) { return __wrap_calloc ? __wrap_calloc(n, size) : __real_calloc(n, size); }
-void *(realloc)(void *p, size_t size) { return __wrap_realloc ? __wrap_realloc(p, size) : __real_realloc(p, size); }
-void *(aligned_alloc)(size_t alignment, size_t size)
+void *malloc(size_t size) { return __wrap_malloc ? __wrap_malloc(size) : __real_malloc(size); }
+void *calloc(size_t n, size_t size) { return __wrap_calloc ? __wrap_calloc(n, size) : __real_calloc(n, size); }
+void *realloc(void *p, size_t size) { return __wrap_realloc ? __wrap_realloc(p, size) : __real_realloc(p, size); }
+void *aligned_alloc(size_t alignment, size_t size)
 {
     return __wrap_aligned_alloc ? __wrap_aligned_alloc(alignment, size) : __real_aligned_alloc(alignment, size);
 }
-void (free)(void *p)
+void free(void *p)
 {
     if (__wrap_free) __wrap_free(p);
     else             __real_free(p);

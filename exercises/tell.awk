@@ -162,6 +162,28 @@ function find_loop(    line)
     }
 }
 
+# "rank(b): got 6, wanted 5" for Check's "Assertion 'rank(b) == 5' failed: rank(b) == 6,
+# 5 == 5"; what is only claimed, and any other message, as it is.
+function compared(text,    i, op, word, n, at, left, right, from, rest, got, is)
+{
+    if (text ~ /^Assertion '.*' failed$/) return "this should hold, and does not: " substr(text, 12, length(text) - 19)
+    if (!match(text, /^Assertion '.*' failed: /)) return text
+    n = split("==,!=,<=,>=,<,>", op, ",")
+    split(",not ,at most ,at least ,less than ,more than ", word, ",")
+    rest = substr(text, RLENGTH + 1)
+    text = substr(text, 12, RLENGTH - 21)
+    for (i = 1; i <= n; i++) {
+        if (!(at = index(text, " " op[i] " "))) continue
+        left = substr(text, 1, at - 1); right = substr(text, at + length(op[i]) + 2)
+        if (index(rest, left " == ") != 1) continue
+        got = substr(rest, length(left) + 5)
+        if (!(from = index(got, ", " right " == "))) continue
+        is = substr(got, from + length(right) + 6); got = substr(got, 1, from - 1)
+        return left ": got " got ", wanted " word[i] is (right == is ? "" : " (" right ")")
+    }
+    return "Assertion '" text "' failed: " rest
+}
+
 # What is wrong with a test that did not pass.
 function sentence(test,    m)
 {
@@ -171,6 +193,7 @@ function sentence(test,    m)
         if (m ~ /timeout expired/) return "Your code does not end: it waits."
         if (m ~ /^Received signal 25/) return "Your code prints without end."
         if (m ~ /^Received signal/) return "Your code stops the program: " m "."
+        m = compared(m)
         gsub(/\n/, "\n  ", m)
         return m ((m ~ /[^a-z]-?nan[^a-z(]/ && m !~ /wanted[^.]*nan/) ? "\n  (nan is no number: 0 was divided by 0, or a root taken of less than 0.)" : "")
     }

@@ -165,8 +165,28 @@ export function placed(out, source) {
   return `mine.c, line ${ways.join(', called from line ')}${test ? `, called from ${source}, line ${test.line}` : ''}`;
 }
 
+// "rank(b): got 6, wanted 5" for Check's "Assertion 'rank(b) == 5' failed: rank(b) == 6,
+// 5 == 5"; what is only claimed, and any other message, as it is.
+const COMPARED = [['==', ''], ['!=', 'not '], ['<=', 'at most '], ['>=', 'at least '], ['<', 'less than '], ['>', 'more than ']];
+export function compared(text) {
+  const [, held] = text.match(/^Assertion '(.*)' failed$/s) ?? [];
+  if (held) return `this should hold, and does not: ${held}`;
+  const [, claim, rest] = text.match(/^Assertion '(.*)' failed: (.*)$/s) ?? [];
+  for (const [op, word] of claim ? COMPARED : []) {
+    const at = claim.indexOf(` ${op} `);
+    if (at < 0) continue;
+    const left = claim.slice(0, at), right = claim.slice(at + op.length + 2);
+    if (!rest.startsWith(`${left} == `)) continue;
+    const both = rest.slice(left.length + 4), from = both.indexOf(`, ${right} == `);
+    if (from < 0) continue;
+    const is = both.slice(from + right.length + 6);
+    return `${left}: got ${both.slice(0, from)}, wanted ${word}${is}${is === right ? '' : ` (${right})`}`;
+  }
+  return text;
+}
+
 function sentence(out, facts) {
-  if (!out.fault) return out.message + (/[^a-z]-?nan[^a-z(]/.test(out.message + ' ') ? '\n(nan is no number: 0 was divided by 0, or a root taken of less than 0.)' : '');
+  if (!out.fault) return compared(out.message) + (/[^a-z]-?nan[^a-z(]/.test(out.message + ' ') && !/wanted[^.]*nan/.test(compared(out.message)) ? '\n(nan is no number: 0 was divided by 0, or a root taken of less than 0.)' : '');
   const place = placed(out, facts.source);
   const test = (out.places ?? []).find(one => one.file.endsWith(facts.source));
   if (out.endless && !place && test) return `The test ${out.fault}: what your code gives keeps it waiting, ${facts.source}, line ${test.line}.`;

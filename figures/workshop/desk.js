@@ -15,6 +15,7 @@ export const kept = {
 function makeField(place, text, label, changed, act) {
   const field = make('textarea', { value: text, ariaLabel: label, spellcheck: false, autocapitalize: 'off', wrap: 'off', oninput: changed });
   field.onkeydown = event => { if (event.key === 'Enter' && (event.ctrlKey || event.metaKey)) { event.preventDefault(); act(); } };
+  field.setSelectionRange(0, 0);        // else it begins at its end
   place.append(field);
   return {
     field,
@@ -119,6 +120,6 @@ export function showMessages(desk, messages) {
   if (!messages.length) return [];
   return [make('ul', { className: 'workshop-messages' }, ...messages.filter(({ kind }) => kind !== 'note').slice(0, 20).map(one =>
     make('li', { className: one.kind }, one.file === 'mine.c'
-      ? button(`line ${one.line}`, () => desk.editor.show(one.line), { className: 'workshop-line' }) : `${one.file}, line ${one.line}`, `: ${one.kind}: ${one.text}`,
+      ? button(`line ${one.line}`, () => desk.editor.show(one.line, true), { className: 'workshop-line' }) : `${one.file}, line ${one.line}`, `: ${one.kind}: ${one.text}`,
       ...(one.more.length ? [make('pre', {}, one.more.slice(0, 3).join('\n').trimEnd())] : []))))];
 }

@@ -45,6 +45,12 @@ export function makeEditor(place, text, label, changed, act) {
     }),
   });
   const lineAt = number => view.state.doc.line(Math.max(1, Math.min(number, view.state.doc.lines)));
+  // Brings a place to the middle of the editor.  The page stays where it is: on a phone
+  // the task stands above, and is read first.
+  const centre = at => view.requestMeasure({
+    read: () => view.lineBlockAt(at),
+    write({ top, bottom }) { view.scrollDOM.scrollTop = (top + bottom - view.scrollDOM.clientHeight) / 2; },
+  });
   return {
     get text() { return view.state.doc.toString(); },
     set text(text) { view.dispatch({ changes: { from: 0, to: view.state.doc.length, insert: text } }); },
@@ -58,13 +64,16 @@ export function makeEditor(place, text, label, changed, act) {
     },
     // Goes on where another field was left.
     take({ selectionStart: anchor, selectionEnd: head }, isToWrite) {
-      view.dispatch({ selection: { anchor, head }, effects: EditorView.scrollIntoView(head, { y: 'center' }) });
+      view.dispatch({ selection: { anchor, head } });
+      centre(head);
       if (isToWrite) view.focus();
     },
-    // Brings a line to the middle.
-    show(line) {
+    // Brings a line to the middle, and the editor into view if the reader asked for it.
+    show(line, isAsked) {
       const { from } = lineAt(line);
-      view.dispatch({ selection: { anchor: from }, effects: EditorView.scrollIntoView(from, { y: 'center' }) });
+      view.dispatch({ selection: { anchor: from } });
+      centre(from);
+      if (isAsked) view.dom.scrollIntoView({ block: 'nearest' });
     },
   };
 }

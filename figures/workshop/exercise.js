@@ -65,7 +65,7 @@ export async function openExercise(place) {
     if (at) desk.editor.mark([...desk.out.messages.filter(one => one.file === 'mine.c'), { line: at.line, kind: 'error', text: told.sentence }]);
     const lines = [make('p', {}, make('b', {}, `${name}: ${told.good} of ${told.ran} tests pass.`), ' The first that does not:'),
       make('p', {}, make('code', {}, told.first), ` (${told.source}, line ${told.line})`),
-      make('p', { className: 'workshop-bad' }, told.sentence, ...(at ? [' ', button(`line ${at.line}`, () => desk.editor.show(at.line), { className: 'workshop-line' })] : []))];
+      make('p', { className: 'workshop-bad' }, told.sentence, ...(at ? [' ', button(`line ${at.line}`, () => desk.editor.show(at.line, true), { className: 'workshop-line' })] : []))];
     if (told.printed) lines.push(make('p', {}, 'Your code printed:'), make('pre', {}, told.printed));
     if (told.comment) lines.push(make('p', {}, 'The test’s own comment:'), make('blockquote', {}, told.comment));
     if (told.others.length) lines.push(make('p', {}, `The others: ${told.others.join(', ')}.`));

@@ -1,7 +1,7 @@
 // check_workshop.mjs - is an exercise judged in the page as it is at the desk?  Of one
 // of each chapter the book's answer passes, and wrong answers are told in the desk's
 // sentence; and the page does what a reader expects of it:
-//   node check_workshop.mjs BUILD [WRONGS [NN-name...]]      (or reader, keys, little)
+//   node check_workshop.mjs BUILD [WRONGS [NN-name...]]      (or reader, phone, keys, little)
 // WRONGS: so many wrong answers of each, from the first to the last (0: all).
 
 import { execFile, execFileSync } from 'node:child_process';
@@ -14,7 +14,7 @@ import { serve } from './server.mjs';
 
 const build = resolve(process.argv[2]), most = +(process.argv[3] ?? 2);
 const ids = process.argv.length > 4 ? process.argv.slice(4)
-  : ['01-step', '02-stick', '03-rank', '04-nearest', '05-features', '06-ball', '07-separate', '08-lists', '09-scene', 'reader', 'keys', 'little'];
+  : ['01-step', '02-stick', '03-rank', '04-nearest', '05-features', '06-ball', '07-separate', '08-lists', '09-scene', 'reader', 'phone', 'keys', 'little'];
 const site = `${build}/site`, WAIT = { timeout: 300e3 };
 const TOGETHER = 2;             // exercises, at a time
 const TRIES = 3;                // so often a busy machine may be late
@@ -199,6 +199,23 @@ async function checkReader() {
   await page.context().close();
 }
 
+// On a phone the task is read first: the page begins at its top, when the editor has
+// come as well, and there the editor shows what is to be written.  The little program
+// begins with its first line.
+async function checkPhone() {
+  const options = { viewport: { width: 390, height: 844 }, reducedMotion: 'reduce' };
+  const page = await open(disk('03-rank'), options);
+  await page.waitForFunction(() => document.querySelector('.cm-activeLine')?.textContent.includes('Yours to write'), null, WAIT);
+  await page.waitForTimeout(1000);
+  check(await page.evaluate(() => scrollY) === 0, `a phone begins with the task, not ${await page.evaluate(() => scrollY)} px below it`);
+  await page.context().close();
+  const little = await open(pathToFileURL(`${site}/little.html`).href, options, '[data-little]');
+  await little.waitForSelector('.cm-scroller', WAIT);
+  await little.waitForTimeout(1000);
+  check(await little.evaluate(() => document.querySelector('.cm-scroller').scrollTop) === 0, 'the little program begins with its first line');
+  await little.context().close();
+}
+
 // Tab goes into the editor and, after Escape, out of it; so does what was typed to the
 // judge, and on to the next exercise: five in a row, without a mouse.
 async function checkKeys(all) {
@@ -300,6 +317,7 @@ async function checkLittle(stages) {
 
 await together(TOGETHER, ids, async (id, k) => {
   if (id === 'reader') await checkReader();
+  else if (id === 'phone') await checkPhone();
   else if (id === 'keys') await checkKeys(['01-step', '02-stick', '03-rank', '06-ball', '07-separate']);
   else if (id === 'little') await checkLittle(['00a', '02c', '05c', '07c', '13e', '16c']);
   else await checkExercise(id, k % 2 ? `${host.address}write-${id}.html` : disk(id));

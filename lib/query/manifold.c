@@ -76,14 +76,6 @@ static real dot2(vec3 v, vec3 w)
 //> manifold-look
 //>   Does a face belong to the patch? This is the rule of 8 degrees, in
 //>   squares.
-// A side may be of many triangles, which lie in one plane up to what its points
-// are off.  But a rim of flat sides is no side: of a drum on three of them the
-// outer corners are kept, and it sinks between these, by no more than the square
-// of this angle times its radius: a quarter of a per cent.  (Twice the angle: a
-// whole one.  A quarter of it: sides that are off by half a per cent are taken
-// for several.)
-static const real BEND_SINE = 0.05;                    // tuned, 1: 3 degrees
-
 // The sine, squared, of 8 degrees and what the bodies turn against each other
 // (rad) while the touches are to be used: a face that will lie flat by then may
 // begin the patch.
@@ -121,13 +113,17 @@ int face_looks(const shape *s, const vec3 *at, int f, vec3 d)
     return l.along > 0 && l.along >= (1 - LEAN_SINE * LEAN_SINE) * l.whole;
 }
 
-// Does the face to the left of half-edge h belong to the patch?
+// Does the face to the left of half-edge h belong to the patch?  A side may be of
+// many triangles, which lie in one plane up to what its points are off.  But a rim
+// of flat sides is no side: of a drum on three of them the outer corners are kept,
+// and it sinks between these, as it would by turning, by no more than the square of
+// MANIFOLD_TURN times its radius: a quarter of a per cent.
 static int belongs(const patch *p, int h)
 {
     int f = p->shape->mesh.half[h].face;
     if (f < 0) return 0;
     look l = face_look(p->shape, p->at, f, p->side);
-    return l.along > 0 && l.along >= (1 - BEND_SINE * BEND_SINE) * l.whole;
+    return l.along > 0 && l.along >= (1 - MANIFOLD_TURN * MANIFOLD_TURN) * l.whole;
 }
 //<
 

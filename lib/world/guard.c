@@ -341,16 +341,15 @@ static line_passage find_passage(const cache_body *b, vec3 from, vec3 to)
 
 // A line that goes out beside where it came in has cut a corner.  In coordinates
 // of a frame the normals of two sides of a prism of three stand at 120 degrees,
-// however flat it is: what goes through it has cut none.
-static const real CUTS = 0.45;              // tuned, 1
-
+// however flat it is: what goes through it has cut none, whatever rounding says.
 static bool cuts_corner(const cache_body *b, const line_passage *x)
 {
     const int *face = b->shape->face;
     if (x->exit < 0) return false;
     vec3 in = out_of_face(b->rigid->local, &face[3 * x->face]);
     vec3 out = out_of_face(b->rigid->local, &face[3 * x->exit]);
-    return vec3_dot(in, out) > -CUTS * vec3_length(in) * vec3_length(out);
+    real both = vec3_length(in) * vec3_length(out);
+    return 2 * vec3_dot(in, out) > -(1 - 0x1p-20) * both;
 }
 
 // Where the smaller body comes, beside a face of the larger.

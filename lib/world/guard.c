@@ -265,19 +265,18 @@ void guard_planes(world *w)
 //> guard-faces
 //>   Of a surface of many triangles a contact may know one, and the body be
 //>   thrown at the next. So the way of each centre is asked for at last: what
-//>   goes in through a face is put before it, and once more, if it came through
-//>   another by that; where that does not end, back to where the frame began.
+//>   goes in through a face is put before it; what came through another by that,
+//>   back to where the frame began.
 static void stop_at_faces(world *w, int b)
 {
-    enum { ROUNDS = 4 };                    // tuned, rounds
     const world_host *host = &w->options.host;
     vec3 from = w->rigid.began[b].center, *center = &w->rigid.now[b].frame.center;
     plane side;
-    for (int k = 0; k <= ROUNDS
+    for (int k = 0; k < 2
          && host->enters(host->surroundings, b, from, *center, &side); k++) {
         lift_to(w, b, side, real_min(plane_height(side, from),
                                      w->rigid.body[b].inner));
-        if (k == ROUNDS) *center = from;
+        if (k > 0) *center = from;
     }
 }
 

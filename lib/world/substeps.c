@@ -99,10 +99,10 @@ int substeps_again(const world *w, real h, int left)
 //>   half a second, what moves and is not fast at once.
 // Every change of the number moves what rests, for in shorter substeps it sags
 // less.  So it rises at once, and falls only when it has been too high by a
-// third for PATIENCE frames.  Bodies that move give it back at once: their impacts
-// ask for thirty substeps, and are over.  Not so what flies by its own size in a
-// frame, and is not joined: its next impact may be as hard as the last.
-enum { PATIENCE = 30 };                     // tuned, frames
+// third for as long as a body must be still before it sleeps.  Bodies that move give
+// it back at once: their impacts ask for thirty substeps, and are over.  Not so what
+// flies by its own size in a frame, and is not joined: its next impact may be as hard
+// as the last.
 static const real FEWER = 0.75;             // tuned, 1
 
 static bool is_joined(const island *i)
@@ -110,12 +110,13 @@ static bool is_joined(const island *i)
     return i->hangs && !i->is_soft;
 }
 
-static int hold(substep_choice *c, const island *i, int need)
+static int hold(const world_options *o, substep_choice *c, const island *i,
+                int need)
 {
     bool stays = i->is_calm || i->is_soft || (i->is_fast && !i->hangs);
-    int patience = stays ? PATIENCE : 0;
+    real patience = stays ? o->time_to_sleep : 0;
     c->frames = need < FEWER * c->now ? c->frames + 1 : 0;
-    if (need > c->now || c->frames > patience) c->now = need;
+    if (need > c->now || (c->frames - 0.5) * o->dt > patience) c->now = need;
     return c->now;
 }
 
@@ -135,7 +136,8 @@ int substeps_choose(world *w, const island *i, substep_choice *c)
     int most = int_max(w->options.most_substeps, usual);
     real stiff = real_min(substeps_for_contacts(w, i, c->now), most);
     real swing = real_min(substeps_for_joints(w, i), most);
-    int n = hold(c, i, int_max(usual, (int)real_max(stiff, swing) + 1));
+    int need = int_max(usual, (int)real_max(stiff, swing) + 1);
+    int n = hold(&w->options, c, i, need);
     if (!takes_all(i)) fewest = (int)(share * (usual - 1)) + 1;
     if (share < 1) n = int_max(fewest, (int)(share * (n - 1)) + 1);
     n = int_max(n, substeps_for_turns(i, most));

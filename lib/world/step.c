@@ -680,14 +680,11 @@ static void redo(world *w, solver_frame *f, real times, const ledger_page *page)
 //>   nothing at all.
 // Three points or more of what stands press, each with this share of the load at
 // least: so the middle of the load is well within them, and the body does not tip.
+// Its friction holds, with as much to spare: so it does not slide.
 static const real FIRM = 0.05;              // tuned, 1
-// Its friction holds, with some to spare: so it does not slide.  (.8 or .95 changes
-// no race.)
-static const real HOLDS = 0.9;              // tuned, 1
 
 // Does the body above stand on the other?  What is joined may be held elsewhere, and
 // what is driven takes along what stands on it.
-
 static bool stands(const world *w, const active_contact *x, const contact *c,
                    const solver_frame *f)
 {
@@ -697,7 +694,7 @@ static bool stands(const world *w, const active_contact *x, const contact *c,
     if (below >= 0 && w->body[below].is_kinematic) return false;
     for (int k = 0; k < c->count; k++)
         points += c->impulse[k] >= FIRM * x->load;
-    real most = HOLDS * solver_material(f, c->a, c->b).friction * x->load;
+    real most = (1 - FIRM) * solver_material(f, c->a, c->b).friction * x->load;
     return points >= 3 && vec3_length_squared(c->friction) < most * most;
 }
 

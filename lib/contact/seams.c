@@ -125,9 +125,12 @@ static real flush_of(const slider *s, int b)
     return FLUSH * (b < 0 ? radius : real_min(radius, s->f->now[b].radius));
 }
 
-// Of A's radius: what moves by no more in a frame stays as it lies.  (Half and
-// twice as much show in no scene that was tried.)
-static const real STAYS = 0.01;             // tuned, radii
+// m: what moves by no more in a frame counts as where it was, here as where vertices
+// are placed.
+static real stays_within(const slider *s)
+{
+    return s->f->stay * s->f->now[s->a].radius;
+}
 
 // m, what a corner of B goes as B turns in the frame.
 static real turns_of(const slider *s, int b)
@@ -147,7 +150,7 @@ static bool stay_together(const slider *s, int b, int c)
         way = vec3_sub(way, f->ahead[c].way);
     }
     return vec3_length(way) + turns_of(s, b) + turns_of(s, c)
-           <= STAYS * f->now[s->a].radius;
+           <= stays_within(s);
 }
 
 // Rule 1.  All of B lies behind the plane in which A touches C.  C keeps A away
@@ -575,8 +578,7 @@ static void straighten(const slider *s, side *x)
     contact *t = x->contact;
     real most = 0;                  // the cosine, squared
     int best = -1;
-    if (b.shape->round > 0 || turns_of(s, x->b) > STAYS * s->f->now[s->a].radius)
-        return;
+    if (b.shape->round > 0 || turns_of(s, x->b) > stays_within(s)) return;
     for (int k = 0; k < b.shape->mesh.faces; k++) {
         vec3 m = face_area(b.shape, b.at, k);
         real along = vec3_dot(m, x->n), square = vec3_dot(m, m);

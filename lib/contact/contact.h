@@ -92,6 +92,10 @@ int contact_nearest(const contact *c, bool is_a, vec3 local);
 static const real CONTACT_SAME = 0.7;       // tuned, 1
 void contact_inherit(contact *now, const contact *was);
 
+// By how much what bears may give way, of the smaller radius: so many substeps a frame
+// takes (substeps.c).
+static const real CONTACT_GIVES = 0.0035;   // tuned, radii
+
 // An overlap is deep that is more than this, of the smaller radius: it is reported,
 // and so deep inside of a face nothing has come through it.
 static const real CONTACT_DEEP = 0.1;       // tuned, radii

@@ -8,11 +8,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-// Pieces whose faces are off by less, of the smaller radius, lie flush: half a
-// millimetre for a box of 0.4 m.  A step of that height is not met.  (Half and
-// twice as much show in no scene that was tried.)
-static const real FLUSH = 0.002;            // tuned, radii
-
 // The cosine of 0.8 degrees: normals nearer to each other are those of one side.
 static const real ALIKE = 0.9999;           // tuned, 1
 
@@ -119,10 +114,12 @@ static bool holds_point(const slider *s, int b, vec3 p, real flush)
 //<
 
 //> seams-rules
+// m: pieces whose faces are off by no more lie flush.  A contact that bears gives way
+// by as much, so a step of that height is not met.
 static real flush_of(const slider *s, int b)
 {
     real radius = s->f->now[s->a].radius;
-    return FLUSH * (b < 0 ? radius : real_min(radius, s->f->now[b].radius));
+    return CONTACT_GIVES * (b < 0 ? radius : real_min(radius, s->f->now[b].radius));
 }
 
 // m: what moves by no more in a frame counts as where it was, here as where vertices

@@ -7,15 +7,14 @@
 // A contact that bears a force F gives way by F / (m w^2), with m the effective
 // mass of its two bodies and w the angular frequency of its spring, which is an
 // eighth of a whole turn in a substep (solver-pass).  A frame takes so many
-// substeps that this is at most GIVES, as a share of the smaller radius, or of four
-// inner radii if that is less (cache_width).
-static const real GIVES = 0.0035;           // tuned, radii
+// substeps that this is at most CONTACT_GIVES, as a share of the smaller radius, or of
+// four inner radii if that is less (cache_width).
 static const real EIGHTH_TURN = 0.7853981633974483;
 
 // For F / m beside that, 1/s^2.
 static real substeps_to_bear(const world *w, real pace)
 {
-    return w->options.dt * sqrt(pace / GIVES) / EIGHTH_TURN;
+    return w->options.dt * sqrt(pace / CONTACT_GIVES) / EIGHTH_TURN;
 }
 
 // In a pile that is calm, what lies lowest bears one body for each layer above it.

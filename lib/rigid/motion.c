@@ -88,18 +88,14 @@ vec3 motion_angular(const motion_basis *basis, const motion *m)
 
 //> motion-moves
 //>   One that turns far goes in several moves.
-static const real FURTHEST = 1.0 / 3;       // tuned, rad: in one move
-
-enum { TURN_MOVES = 1000 };                  // at most
-
 // So many equal moves are a turn by d.
 static int moves_of(const motion_basis *basis, const motion *d)
 {
     real square = vec3_length_squared(motion_rotation(basis, d));
-    if (square < FURTHEST * FURTHEST) return 1;     // mostly
-    real moves = sqrt(square) / FURTHEST;
-    if (moves < TURN_MOVES - 1) return 1 + (int)moves;
-    return moves - moves == 0 ? TURN_MOVES : 1;     // one for NaN and infinity
+    if (square < MOTION_FURTHEST * MOTION_FURTHEST) return 1;     // mostly
+    real moves = sqrt(square) / MOTION_FURTHEST;
+    if (moves < MOTION_MOVES - 1) return 1 + (int)moves;
+    return moves - moves == 0 ? MOTION_MOVES : 1;     // one for NaN and infinity
 }
 //<
 
@@ -107,7 +103,7 @@ static int moves_of(const motion_basis *basis, const motion *d)
 //>   Cloth, impacts and joints ask where a body would be. A frame is turned
 //>   without a sine: the tangent of half an angle is a short series.
 // tan(x / 2) / x, from the square of x, a small part of a turn, by its series.  At
-// FURTHEST it is good to 5e-9; of a wild turn it must stay a number.
+// MOTION_FURTHEST it is good to 5e-9; of a wild turn it must stay a number.
 static real half_share(real a)
 {
     a = real_min(a, 1);
@@ -289,14 +285,14 @@ static bool is_slow(const turning *x, real h)
         light = real_max(light, x->inverse[t]);
         square += x->angular[t] * x->angular[t];
     }
-    return h * h * light * light * square < FURTHEST * FURTHEST;
+    return h * h * light * light * square < MOTION_FURTHEST * MOTION_FURTHEST;
 }
 
 static int free_moves(const turning *x, real h)
 {
     if (is_slow(x, h)) return 1;
-    real parts = fabs(h) * fastest_spin(x) / FURTHEST;
-    return parts < FREE_MOVES ? 1 + (int)parts : FREE_MOVES;
+    real parts = fabs(h) * fastest_spin(x) / MOTION_FURTHEST;
+    return parts < MOTION_MOVES ? 1 + (int)parts : MOTION_MOVES;
 }
 //<
 

@@ -133,14 +133,16 @@ vec3 motion_angular(const motion_basis *basis, const motion *m);
 //<
 
 //> motion-advance-declare
+// One that turns far goes in several moves, of this angle (rad) at most.  In more
+// of them than MOTION_MOVES it turns less exactly: a wild spin must not make a frame
+// last seconds.
+static const real MOTION_FURTHEST = 1.0 / 3;        // tuned, rad
+enum { MOTION_MOVES = 1000 };
+
 // A body that stands as the frame says, and whose velocity in that basis is u,
 // goes on freely for h (s).  Its angular momentum stays as the world sees it, so
 // u changes: it is given in the new basis.  Exact for a body two of whose moments
 // are alike; else of order 2, and symmetric in time: its energy does not drift.
-// One that would turn by more than FREE_MOVES thirds of a radian, 5,000 rad/s in
-// a substep of 1/480 s, turns less exactly: a wild spin must not make a frame
-// last seconds.
-enum { FREE_MOVES = 32 };                   // tuned, moves
 void motion_advance(rigid_frame *frame, motion_basis *basis, motion *u, real h);
 
 // The same body, displaced by d, as an impact or a cloth displaces it: its

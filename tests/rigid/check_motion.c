@@ -430,7 +430,7 @@ START_TEST(free_spin_keeps_its_speed_and_turns_by_its_angle)
             ck_assert_msg(vec3_distance(spin, vec3_scale(speed[k], axis))
                           <= 1e-6 * speed[k], "%g rad/s: %g", speed[k],
                           vec3_dot(spin, axis));
-            ck_assert_msg(most <= 1e-12 + series_error(speed[k] * dt, FREE_MOVES),
+            ck_assert_msg(most <= 1e-12 + series_error(speed[k] * dt, MOTION_MOVES),
                           "%g rad/s: a frame is off by %g", speed[k], most);
         }
         rigid4_free(&f);

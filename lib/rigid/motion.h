@@ -134,8 +134,8 @@ vec3 motion_angular(const motion_basis *basis, const motion *m);
 
 //> motion-advance-declare
 // One that turns far goes in several moves, of this angle (rad) at most.  In more
-// of them than MOTION_MOVES it turns less exactly: a wild spin must not make a frame
-// last seconds.
+// of them than MOTION_MOVES it turns less exactly: a wild spin must not make a
+// frame last seconds.
 static const real MOTION_FURTHEST = 1.0 / 3;        // tuned, rad
 enum { MOTION_MOVES = 1000 };
 

@@ -56,16 +56,12 @@ static real substeps_for_joints(const world *w, const island *i)
 //<
 
 //> substeps-turns
-// What may touch others, and turns further than this in a substep, comes past them
-// between two looks.  With twice as much, of 4,000 blades that turn past balls two
-// miss theirs; half as much costs more, and gains nothing.  (Cloth and rope look in
-// every substep.)
-static const real TURNS_BY = 0.5;           // tuned, rad
-
+// What may touch others, and turns further in a substep than in one move, comes
+// past them between two looks.  (Cloth and rope look in every substep.)
 static int substeps_for_turns(const island *i, int most)
 {
     if (i->is_soft) return 1;
-    return (int)real_min(i->turn / TURNS_BY, most - 1) + 1;
+    return (int)real_min(i->turn / MOTION_FURTHEST, most - 1) + 1;
 }
 //<
 

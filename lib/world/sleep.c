@@ -99,7 +99,9 @@ typedef struct {
 static const real EARTH = 9.81, USUAL = 0.5;    // m/s^2, m: see sleep_rule
 // Without gravity no speed is slow, and what moves only by rounding still sleeps.
 static const real MOTIONLESS = 1e-6;        // tuned, radii: in a window
-// By so much more than in the window before may it move, which is no growth.
+// By so much more than in the window before may it move, which is no growth: with
+// a millionth what_trembles_a_little_sleeps not, with 2.5 times as much what slides
+// from rest sleeps.
 static const real NOISE = 2e-4;             // tuned, radii
 // A mean speed is low while a body rings: at no moment may it be so much higher, nor
 // in a window of what stands.

@@ -41,8 +41,10 @@ int restitution_solve(const contact *const *table, int n, const solver_frame *f,
 //<
 
 //> restitution-strike
-// What touches so much of a substep too late takes part as well.
-static const real LATER = 0.001;            // tuned, substeps
+// As a share of a substep the time of an impact is known to this, and what touches as
+// much too late takes part as well: rounding is not to decide which corners of a face
+// do.
+static const real SAME_TIME = 1e-9;
 
 typedef struct {
     const motion_basis *basis[BODIES];
@@ -331,15 +333,13 @@ static real first_touch(impact *x, const impact_solver *s, real acceleration)
         impact_row row = row_along(p, x->c.normal, arm);
         real closing = -h * impact_parting(&row, x->u);
         real began = gap[k] + x->time * closing;
-        if (!(closing > 0 && began < (1 + LATER) * closing)) continue;
+        if (!(closing > 0 && began < (1 + SAME_TIME) * closing)) continue;
         least = real_min(least, time_of_touch(began, closing, acceleration));
     }
     return least;
 }
 
-// What touches a thousandth of a substep too late takes part as well: rounding
-// is not to decide which corners of a face do.  They strike together, when the
-// first of them touches.
+// What touches together strikes together, when the first of it touches.
 static void take_touching(impact *x, const impact_solver *s)
 {
     real gap[CONTACT_POINTS], h = s->f->h;
@@ -348,7 +348,7 @@ static void take_touching(impact *x, const impact_solver *s)
         const vec3 arm[BODIES] = { x->arm[k].a, x->arm[k].b };
         impact_row row = row_along(&x->pair, x->c.normal, arm);
         real closing = -h * impact_parting(&row, x->u);
-        if (!(closing > 0 && gap[k] < LATER * closing)) continue;
+        if (!(closing > 0 && gap[k] < SAME_TIME * closing)) continue;
         x->point[x->set.rows] = k;
         impact_add(&x->set, &row, impact_parting(&row, x->u));
     }
@@ -356,8 +356,6 @@ static void take_touching(impact *x, const impact_solver *s)
 
 // The time of the impact: Newton's steps to where the first gap is closed, each
 // with the bodies as they stand at the time that was found last.
-enum { TOUCH_STEPS = 4 };                   // tuned, steps
-
 static void find_touching(impact *x, const impact_solver *s)
 {
     const impact_pair *p = &x->pair;
@@ -367,11 +365,11 @@ static void find_touching(impact *x, const impact_solver *s)
     x->time = 0;
     x->c = *x->found;
     impact_begin(&x->set);
-    for (int n = 0; n < TOUCH_STEPS; n++) {
+    for (int n = 0; n < IMPACT_ROUNDS; n++) {
         stand_at(x, s, x->time, contact_sides_of);
         real time = first_touch(x, s, a);
         if (!(time < HUGE_VAL)) return;
-        bool is_there = fabs(time - x->time) < 1e-9;
+        bool is_there = fabs(time - x->time) < SAME_TIME;
         x->time = time;
         if (is_there) break;
     }

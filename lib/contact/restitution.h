@@ -35,6 +35,7 @@
 //
 // To be called before solver_warm; and if there were any, solver_see_gaps must
 // follow: bodies that part after an impact are not held by the solver.
+// (As many of Newton's steps find the time of one.)
 enum { IMPACT_ROUNDS = 8 };     // tuned, rounds
 int restitution_solve(const contact *const *table, int n, const solver_frame *f,
                       solver_body *body, motion *velocity, motion *moved);

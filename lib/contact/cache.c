@@ -484,7 +484,6 @@ static manifold find_touch(const cache_frame *f, const contact *c,
 // from the other, by the part of the way that closes the gap along the normal,
 // and again, for there the normal is another.  Returns whether they were.
 static const real GLIDES = 0.02;            // tuned, radii: less does not count
-enum { ROUNDS = 4 };                        // tuned, rounds
 
 enum { CORE = 2 };
 
@@ -511,7 +510,7 @@ static bool query_ahead(const cache_frame *f, const contact *c, collider a,
     for (int k = 0; ; k++) {
         for (int v = 0; v < round->shape->particles; v++)
             at[v] = vec3_add_scaled(now[v], is_a ? gone : -gone, way);
-        if (k == ROUNDS
+        if (k == CONTACT_ROUNDS
             || !(vec3_length(way) > GLIDES * round->shape->round)) break;
         query_result r = query_nearest(&a, &b, HUGE_VAL, carried);
         real closing = -vec3_dot(way, r.normal);

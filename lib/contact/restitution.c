@@ -27,7 +27,7 @@ int restitution_solve(const contact *const *table, int n, const solver_frame *f,
     int impacts = 0, before = -1;
     real fastest = 0;
     assert(f->restitution >= 0 && f->restitution <= 1);
-    for (int round = 0; round < IMPACT_ROUNDS && before < impacts; round++) {
+    for (int round = 0; round < CONTACT_ROUNDS && before < impacts; round++) {
         before = impacts;
         for (int i = 0; i < n; i++) {
             real speed = strike(&s, table[round % 2 ? n - 1 - i : i]);
@@ -365,7 +365,7 @@ static void find_touching(impact *x, const impact_solver *s)
     x->time = 0;
     x->c = *x->found;
     impact_begin(&x->set);
-    for (int n = 0; n < IMPACT_ROUNDS; n++) {
+    for (int n = 0; n < CONTACT_ROUNDS; n++) {
         stand_at(x, s, x->time, contact_sides_of);
         real time = first_touch(x, s, a);
         if (!(time < HUGE_VAL)) return;

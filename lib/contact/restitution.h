@@ -15,7 +15,7 @@
 // The impacts of one substep.  Two bodies whose gap closes within it, and that
 // meet faster than material_slowest, part at f->restitution times the speed
 // at which they met, at the time at which they met; friction acts in the
-// impact, too.  Forward and backward over the n contacts, at most IMPACT_ROUNDS
+// impact, too.  Forward and backward over the n contacts, at most CONTACT_ROUNDS
 // times: an impact that is passed on, as in Newton's cradle, is one more impact.
 // What is passed on at less than a tenth of the fastest blow's speed strikes no
 // more.  Returns how many there were.
@@ -35,8 +35,6 @@
 //
 // To be called before solver_warm; and if there were any, solver_see_gaps must
 // follow: bodies that part after an impact are not held by the solver.
-// (As many of Newton's steps find the time of one.)
-enum { IMPACT_ROUNDS = 8 };     // tuned, rounds
 int restitution_solve(const contact *const *table, int n, const solver_frame *f,
                       solver_body *body, motion *velocity, motion *moved);
 

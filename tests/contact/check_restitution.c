@@ -525,7 +525,7 @@ START_TEST(rounds_are_bounded)
     set_velocity(0, vec3_make(1, 0, 0));
     join_balls(0, 1);
     join_balls(0, 2);
-    ck_assert_int_eq(solve(1), IMPACT_ROUNDS);
+    ck_assert_int_eq(solve(1), CONTACT_ROUNDS);
     near(fabs(velocity[0].of[0]), 1, ROUNDING);
 }
 END_TEST

@@ -92,8 +92,8 @@ int contact_nearest(const contact *c, bool is_a, vec3 local);
 static const real CONTACT_SAME = 0.7;       // tuned, 1
 void contact_inherit(contact *now, const contact *was);
 
-// When and where bodies will touch is sought in so many rounds at most, each from what
-// the one before has found; so is what an impact passes on.
+// When and where bodies will touch is sought in so many rounds at most, each from
+// what the one before has found; so is what an impact passes on.
 enum { CONTACT_ROUNDS = 8 };                // tuned, rounds
 
 // By how much what bears may give way, of the smaller radius: so many substeps a frame

@@ -154,8 +154,8 @@ static void list_colors(contact_solver *s, const int end[BINS])
 //<
 
 //> solver-prepare
-// Asked of memory so many before it is needed.
-enum { AHEAD = 8 };                         // tuned, contacts
+// Asked of memory two blocks before it is needed.
+enum { BLOCKS_AHEAD = 2, CONTACTS_AHEAD = BLOCKS_AHEAD * REAL4 };
 
 static void activate_chunk(void *data, int item)
 {
@@ -163,7 +163,7 @@ static void activate_chunk(void *data, int item)
     int end = task_end(item, p->s->contacts);
     for (int k = item * TASK_CHUNK; k < end; k++) {
         active_contact *x = &p->s->active[k], was = *x;
-        contact_expect(p->table[int_min(k + AHEAD, end - 1)]);
+        contact_expect(p->table[int_min(k + CONTACTS_AHEAD, end - 1)]);
         activate(x, p->table[k], p->f, p->reach[k]);
         x->is_new = k >= p->s->known || !is_same(x, &was);
     }
@@ -439,7 +439,7 @@ static void store_chunk(void *data, int item)
     const storing *q = data;
     int end = task_end(item, q->s->blocks);
     for (int n = item * TASK_CHUNK; n < end; n++) {
-        const block *next = &q->s->block[int_min(n + AHEAD / REAL4, end - 1)];
+        const block *next = &q->s->block[int_min(n + BLOCKS_AHEAD, end - 1)];
         for (int l = 0; l < REAL4; l++)
             if (next->contact[l] >= 0) contact_expect(q->table[next->contact[l]]);
         write_block(q->s, &q->s->block[n], q->table);

@@ -9,7 +9,8 @@
 // What is round turns against a lever of this, as on hard rubber; without it a ball
 // on a floor never rests.
 static const real RESISTANCE = 0.01;        // tuned, radii
-// Faster ones roll freely: the law of rolling holds for them.
+// Faster ones roll freely, or it_rolls_for_ten_seconds_without_loss would not hold:
+// the law of rolling is theirs.
 static const real SLOW = 30;                // tuned, times sleep_speed
 
 // m, of the smaller of the two that is round; 0: neither is.

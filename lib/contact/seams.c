@@ -66,19 +66,11 @@ static void see_side(const slider *s, side *x)
 //> seams-hold
 //>   Three questions to a piece: how high does it reach, does it stand out
 //>   further than that, and does a point lie in it?
-static int furthest_vertex(const collider *x, vec3 d)
-{
-    int best = 0;
-    for (int v = 1; v < x->shape->particles; v++)
-        if (vec3_dot(x->at[v], d) > vec3_dot(x->at[best], d)) best = v;
-    return best;
-}
-
 // m, of body b along n, with what is round of it.
 static real rise_over(const slider *s, int b, vec3 n)
 {
     collider x = cache_collider(s->c, s->f, b);
-    return vec3_dot(x.at[furthest_vertex(&x, n)], n) + x.shape->round;
+    return vec3_dot(x.at[hull_scan(query_hull(&x), n)], n) + x.shape->round;
 }
 
 // Does body or plane b reach higher than that along n?  (Its ball answers most.)
@@ -216,8 +208,8 @@ static bool find_foot(const collider *x, vec3 m, vec3 p, feature_point *foot)
 static manifold touches_along(const collider *a, const collider *b, vec3 m,
                               real margin, real turn)
 {
-    int tip_a = furthest_vertex(a, vec3_scale(-1, m));
-    int tip_b = furthest_vertex(b, m);
+    int tip_a = hull_scan(query_hull(a), vec3_scale(-1, m));
+    int tip_b = hull_scan(query_hull(b), m);
     query_result r = { true, m, { { 1, { tip_a }, { 1 } },
                                   { 1, { tip_b }, { 1 } }, 0 } };
     feature_point foot;

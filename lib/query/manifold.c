@@ -896,17 +896,6 @@ manifold manifold_find(const collider *a, const collider *b,
 
 //> manifold-plane
 //>   A plane is a face without a rim: all of the body's patch lies over it.
-static int lowest_vertex(const collider *a, vec3 normal)
-{
-    int best = 0;
-    real least = HUGE_VAL;
-    for (int v = 0; v < a->shape->particles; v++) {
-        real height = vec3_dot(a->at[v], normal);
-        if (height < least) least = height, best = v;
-    }
-    return best;
-}
-
 // All corners of the patch, of which the lowest vertex has that gap.
 static void meet_plane(const patch *p, real gap, meetings *m)
 {
@@ -921,7 +910,7 @@ static void meet_plane(const patch *p, real gap, meetings *m)
 static manifold find_on_plane(const collider *a, vec3 normal, real offset,
                               real margin, real turn)
 {
-    int lowest = lowest_vertex(a, normal);
+    int lowest = hull_scan(query_hull(a), vec3_scale(-1, normal));
     touch pair = { .a = { 1, { lowest }, { 1 } } };
     manifold found = { 0, normal, { pair }, a->shape->round, 0 };
     patch p;

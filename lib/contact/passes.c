@@ -738,8 +738,7 @@ ALWAYS_INLINE void see_block(block *k, const solver_pass *q, bool two)
 //> passes-lazy
 //>   What did not push in the last substep has no rows of this one yet. Might
 //>   one of its gaps close in this substep? The rows of an older one say so,
-//>   if turning is taken to close it, whichever way it goes. Only then are rows
-//>   made.
+//>   if all that turning does is doubted. Only then are rows made.
 ALWAYS_INLINE bool wakes(block *k, const solver_pass *q, const sides4 *u, bool two)
 {
     const real4 per_h = real4_all(q->per_h), zero = real4_all(0);
@@ -747,9 +746,10 @@ ALWAYS_INLINE bool wakes(block *k, const solver_pass *q, const sides4 *u, bool t
     for (int j = 0; j < k->points; j++) {
         const block_point *p = &k->point[j];
         real4 turns = part_turns(p->turn_a, p->turn_b, u, two);
-        turns = real4_min(turns, real4_sub(zero, turns));
+        real4 off = real4_max(turns, real4_sub(zero, turns));
         real4 then = real4_mad(p->now, per_h, real4_add(parting, turns));
-        closing = real4_min(closing, real4_mul(k->place[j].has, then));
+        then = real4_mul(k->place[j].has, real4_sub(then, off));
+        closing = real4_min(closing, then);
     }
     if (!real4_any(closing)) return false;
     real4 was[CONTACT_POINTS];

@@ -190,12 +190,13 @@ START_TEST(tile_that_is_not_reached_is_not_met)
 }
 END_TEST
 
-// Tops that are off by up to 0.002 of the smaller radius, 0.87 m, are flush.
+// Tops that are off by less than a contact gives way, of the smaller radius, 0.87 m,
+// are flush.
 // Rejects: a step that stops nothing; a wall that is gone through; a tolerance in
 // metres.
 START_TEST(step_is_met_and_a_lower_tile_is_not)
 {
-    const real flush = 0.002 * cube4.reach;
+    const real flush = CONTACT_GIVES * cube4.reach;
     const real higher[] = { -0.5, -2 * flush, -0.9 * flush, 0.9 * flush,
                             1.1 * flush, 0.5 };
     for (int k = 0; k < 6; k++) {

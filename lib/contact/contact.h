@@ -96,8 +96,8 @@ void contact_inherit(contact *now, const contact *was);
 // what the one before has found; so is what an impact passes on.
 enum { CONTACT_ROUNDS = 8 };                // tuned, rounds
 
-// By how much what bears may give way, of the smaller radius: so many substeps a frame
-// takes (substeps.c).
+// By how much what bears may give way, of the smaller radius: so many substeps a
+// frame takes (substeps.c).
 static const real CONTACT_GIVES = 0.0035;   // tuned, radii
 
 // An overlap is deep that is more than this, of the smaller radius: it is reported,

@@ -41,9 +41,9 @@ int restitution_solve(const contact *const *table, int n, const solver_frame *f,
 //<
 
 //> restitution-strike
-// As a share of a substep the time of an impact is known to this, and what touches as
-// much too late takes part as well: rounding is not to decide which corners of a face
-// do.
+// As a share of a substep the time of an impact is known to this, and what touches
+// as much too late takes part as well: rounding is not to decide which corners of a
+// face do.
 static const real SAME_TIME = 1e-9;
 
 typedef struct {

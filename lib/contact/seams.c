@@ -106,16 +106,16 @@ static bool holds_point(const slider *s, int b, vec3 p, real flush)
 //<
 
 //> seams-rules
-// m: pieces whose faces are off by no more lie flush.  A contact that bears gives way
-// by as much, so a step of that height is not met.
+// m: pieces whose faces are off by no more lie flush.  A contact that bears gives
+// way by as much, so a step of that height is not met.
 static real flush_of(const slider *s, int b)
 {
     real radius = s->f->now[s->a].radius;
     return CONTACT_GIVES * (b < 0 ? radius : real_min(radius, s->f->now[b].radius));
 }
 
-// m: what moves by no more in a frame counts as where it was, here as where vertices
-// are placed.
+// m: what moves by no more in a frame counts as where it was, here as where
+// vertices are placed.
 static real stays_within(const slider *s)
 {
     return s->f->stay * s->f->now[s->a].radius;

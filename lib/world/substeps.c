@@ -7,8 +7,8 @@
 // A contact that bears a force F gives way by F / (m w^2), with m the effective
 // mass of its two bodies and w the angular frequency of its spring, which is an
 // eighth of a whole turn in a substep (solver-pass).  A frame takes so many
-// substeps that this is at most CONTACT_GIVES, as a share of the smaller radius, or of
-// four inner radii if that is less (cache_width).
+// substeps that this is at most CONTACT_GIVES, as a share of the smaller radius,
+// or of four inner radii if that is less (cache_width).
 static const real EIGHTH_TURN = 0.7853981633974483;
 
 // For F / m beside that, 1/s^2.
@@ -93,11 +93,11 @@ int substeps_again(const world *w, real h, int left)
 //>   The largest demand counts. It is obeyed at once. What rests releases it after
 //>   half a second, what moves and is not fast at once.
 // Every change of the number moves what rests, for in shorter substeps it sags
-// less.  So it rises at once, and falls only when it has been too high by a
-// third for as long as a body must be still before it sleeps.  Bodies that move give
-// it back at once: their impacts ask for thirty substeps, and are over.  Not so what
-// flies by its own size in a frame, and is not joined: its next impact may be as hard
-// as the last.
+// less.  So it rises at once, and falls only when it has been too high by a third
+// for as long as a body must be still before it sleeps.  Bodies that move give it
+// back at once: their impacts ask for thirty substeps, and are over.  Not so what
+// flies by its own size in a frame, and is not joined: its next impact may be as
+// hard as the last.
 static const real FEWER = 0.75;             // tuned, 1
 
 static bool is_joined(const island *i)

@@ -190,8 +190,8 @@ START_TEST(tile_that_is_not_reached_is_not_met)
 }
 END_TEST
 
-// Tops that are off by less than a contact gives way, of the smaller radius, 0.87 m,
-// are flush.
+// Tops that are off by less than a contact gives way, of the smaller radius,
+// 0.87 m, are flush.
 // Rejects: a step that stops nothing; a wall that is gone through; a tolerance in
 // metres.
 START_TEST(step_is_met_and_a_lower_tile_is_not)

@@ -121,27 +121,30 @@ static int bin_of(const active_contact *x)
     return x->color * KINDS + (x->load > 0 ? fewer : KINDS - 1 - fewer);
 }
 
-// Counting sort; end[bin] is where each bin ends in s->order.
-static void sort_contacts(contact_solver *s, int end[BINS])
+// Counting sort.  Of most colours there is none, so of[color] counts them.
+static void sort_contacts(contact_solver *s, int of[SIDES * COLORS])
 {
     int at[BINS] = { 0 }, sum = 0;
-    for (int k = s->first; k < s->end; k++)
-        if (s->active[k].count > 0) at[bin_of(&s->active[k])]++;
-    for (int bin = 0; bin < BINS; bin++) {
-        sum += at[bin];
-        at[bin] = sum - at[bin];
+    for (int k = s->first; k < s->end; k++) {
+        if (s->active[k].count == 0) continue;
+        of[s->active[k].color]++;
+        at[bin_of(&s->active[k])]++;
     }
+    for (int c = 0; c < SIDES * COLORS; c++)
+        for (int bin = c * KINDS; of[c] > 0 && bin < (c + 1) * KINDS; bin++) {
+            sum += at[bin];
+            at[bin] = sum - at[bin];
+        }
     for (int k = s->first; k < s->end; k++)
         if (s->active[k].count > 0) s->order[at[bin_of(&s->active[k])]++] = k;
-    for (int bin = 0; bin < BINS; bin++) end[bin] = at[bin];
 }
 
-static void list_colors(contact_solver *s, const int end[BINS])
+static void list_colors(contact_solver *s, const int of[SIDES * COLORS])
 {
     int first = 0;
     s->colors = s->blocks = 0;
     for (int c = 0; c < SIDES * COLORS; c++) {
-        int n = end[(c + 1) * KINDS - 1] - first;
+        int n = of[c];
         bool is_crowded = c % COLORS == COLORS - 1;
         int blocks = is_crowded ? n : (n + REAL4 - 1) / REAL4;
         if (n == 0) continue;
@@ -226,12 +229,12 @@ static bool make_block_room(contact_solver *s)
 
 static bool make_blocks(contact_solver *s, preparation *p)
 {
-    int end[BINS];
+    int of[SIDES * COLORS] = { 0 };
     for (int k = s->first; k < s->end; k++) clear_colors(s, &s->active[k]);
     for (int k = s->first; k < s->end; k++)
         if (s->active[k].count > 0) choose_color(s, &s->active[k]);
-    sort_contacts(s, end);
-    list_colors(s, end);
+    sort_contacts(s, of);
+    list_colors(s, of);
     const block *were = s->block;
     if (!make_block_room(s)) return false;
     if (s->block != were || !has_blocks(s, p->f)) p->known = 0;

@@ -195,6 +195,19 @@ static real pair_reach(const cache_frame *f, int a, int b)
     return x->reach + y->reach;
 }
 
+// m, by how much a gap may be less than where two bodies were asked: they may have
+// gone since they were placed, and what turns was asked as it will have turned by half.
+static real beside_of(const contact_cache *c, const cache_frame *f, int a, int b)
+{
+    return slack_of(c, f, a, b) + (f->ahead[a].arc + f->ahead[b].arc) / 2;
+}
+
+// m, how far the bodies of a pair have gone.
+static real paths_of(const contact_cache *c, int a, int b)
+{
+    return c->placing[a].path + (b < 0 ? 0 : c->placing[b].path);
+}
+
 // m, for which ways an answer that looked `reach` ahead holds later, too: for
 // none if it does not outlive the frame.
 static real lasting_margin(const contact_cache *c, const cache_frame *f, int a,
@@ -233,7 +246,7 @@ static bool is_near(const cache_frame *f, int a, int b, real reach)
 }
 
 // Asks again where a body was placed again, or gets further than it was asked
-// for.
+// for; not if there was a gap between them that they do not close yet.
 static void decide(const contact_cache *c, const cache_frame *f, cache_pair *p,
                    int a, int b)
 {
@@ -241,8 +254,10 @@ static void decide(const contact_cache *c, const cache_frame *f, cache_pair *p,
     p->is_asked = false;
     if (!f->moves[a] && (b < 0 || !f->moves[b])) return;
     if (!is_near(f, a, b, reach)) forget(p);
-    else p->is_asked = p->seen[0] != c->placing[a].number
-                    || p->seen[1] != body_number(c, b) || !(reach <= p->margin);
+    else p->is_asked = (p->seen[0] != c->placing[a].number
+                        || p->seen[1] != body_number(c, b)
+                        || !(reach <= p->margin))
+                    && !(p->count == 0 && p->near - paths_of(c, a, b) > reach);
 }
 
 // The first items are walls, the others pairs.
@@ -471,9 +486,10 @@ static manifold find_touch(const cache_frame *f, const contact *c,
 {
     real turn = f->ahead[c->piece_a].angle + f->ahead[c->piece_b].angle;
     query_result r = query_nearest(a, b, *closes + margin, carried);
-    if (!r.near) return (manifold){ .count = 0 };
+    manifold none = { .count = 0, .point = { r.at } };
+    if (!r.near) return none;
     *closes = real_min(closing_of(f, c, r.normal), *closes);
-    if (r.at.gap > *closes + margin) return (manifold){ .count = 0 };
+    if (r.at.gap > *closes + margin) return none;
     return manifold_find(a, b, &r, *closes + margin, turn);
 }
 //<
@@ -553,6 +569,8 @@ static void query_bodies(contact_cache *c, const cache_frame *f, cache_pair *p,
                                 &m);
     cache_take(now, &m, f, is_ahead);
     date(c, f, p, a, b, reach);
+    if (m.count == 0 && !is_ahead)
+        p->near = m.point[0].gap - beside_of(c, f, a, b) + paths_of(c, a, b);
 }
 
 // A plane needs no search: it is a face below the lowest vertex.
@@ -575,10 +593,10 @@ static void query_pair(contact_cache *c, const cache_frame *f, cache_pair *p)
     contact was, *now = &e->contact;
     bool bequeaths = p->count > 0;
     if (bequeaths) was = *now;
+    p->near = -HUGE_VAL;
     if (now->piece_b < 0) query_wall(c, f, p, now);
     else                  query_bodies(c, f, p, e);
     p->count = (signed char)now->count;
-    p->near = -HUGE_VAL;
     p->is_merged = false;
     // For seams that find a contact on a floor again.
     if (now->piece_b >= 0 && seams_slider(f, now->piece_a, now->piece_b) >= 0)
@@ -601,7 +619,7 @@ static void activate_pair(const contact_cache *c, const cache_frame *f,
     p->is_active = false;
     if (p->count == 0 || p->entry < 0) return;
     if (!f->moves[a] && (b < 0 || !f->moves[b])) return;
-    real paths = c->placing[a].path + (b < 0 ? 0 : c->placing[b].path);
+    real paths = paths_of(c, a, b);
     if (p->near - paths > pair_reach(f, a, b)) return;
     p->near = paths;
     p->is_active = true;
@@ -770,6 +788,7 @@ static void drop_kept(contact_cache *c, cache_pair *p)
     if (p->entry >= 0) c->entry[p->entry].contact.count = 0;
     release_pair(c, p);
     forget(p);
+    p->near = -HUGE_VAL;
 }
 
 // Of what was not placed; of the key of a wall only the first is a body.

@@ -89,6 +89,7 @@ static query_result nearest_hulls(const collider *a, const collider *b,
         hit_result h = hit_face_climb(&ma, &mb, &g.last);
         return overlap_result(&h, round);
     }
+    if (g.status == GJK_BEYOND) none.at.gap = g.distance - round;
     bool known = g.status == GJK_APART || g.status == GJK_CAPPED;
     if (!known || g.last.count > 3 || g.distance > margin + round) return none;
     return apart_result(&g, round);
@@ -155,8 +156,9 @@ static bool ask_sides(const collider *a, const collider *b, query_result *r,
 static query_result nearest_rims(const collider *a, const collider *b,
                                  real margin, query_cache *carried)
 {
-    query_result r = nearest_hulls(a, b, margin + rim_sag(a->shape)
-                                         + rim_sag(b->shape), carried);
+    real sags = rim_sag(a->shape) + rim_sag(b->shape);
+    query_result r = nearest_hulls(a, b, margin + sags, carried);
+    if (!r.near) r.at.gap -= sags;
     if (!r.near) return r;
     rim_pair p;
     query_see_rims(&p, a, b, r.normal);

@@ -43,7 +43,8 @@ typedef struct {
     touch at;           // where they are nearest; if they overlap, the two
                         // points that the shortest way out joins; where the
                         // side of a cylinder is touched, an end of its rim's core,
-                        // as particle 0 or 1
+                        // as particle 0 or 1; of what is not near, a gap that
+                        // theirs is not less than, or 0
 } query_result;
 //<
 

@@ -259,6 +259,29 @@ START_TEST(box_on_a_slab_touches_with_its_four_corners)
 }
 END_TEST
 
+// A box comes nearer to another by 5 cm a frame, and may go 11: so of ten frames only
+// the first asks, and those in which the gap of half a metre may close.
+// Rejects: asking in every frame; a gap that is kept beyond where it was seen to end.
+START_TEST(pair_is_not_asked_again_before_it_can_close)
+{
+    int a = add(BOX, vec3_make(0, 0, 0), 0.11);
+    int b = add(BOX, vec3_make(1.5, 0, 0), 0);
+    moves[b] = 0;
+    list_pair(a, b);
+    begin();
+    long asked = 0;
+    for (int k = 0; k < 10; k++) {
+        stand(a, vec3_make(0.05 * k, 0, 0));
+        if (k > 0) cache_moved(&cache, a, 0.05);
+        update();
+        asked += cache.queries;
+        ck_assert_int_eq(is_active(a, b), k >= 8);
+    }
+    ck_assert(fabs(least_gap(contact_of(a, b)) - 0.05) <= ROUNDING);
+    ck_assert_int_le(asked, 4);
+}
+END_TEST
+
 // 0.2 m over the floor: they touch in this frame if they may go as far.
 // Rejects: vertices that cannot come down in this frame, kept; those that can,
 // left out; a plane's offset that is not looked at.
@@ -807,6 +830,7 @@ int main(void)
 {
     const TTest *const tests[] = {
         box_on_a_slab_touches_with_its_four_corners,
+        pair_is_not_asked_again_before_it_can_close,
         corners_that_may_reach_a_plane_are_contacts,
         drum_stands_on_points_all_around_its_rim,
         bullet_touches_as_it_will_first,

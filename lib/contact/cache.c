@@ -196,7 +196,7 @@ static real pair_reach(const cache_frame *f, int a, int b)
 }
 
 // m, by how much a gap may be less than where two bodies were asked: they may have
-// gone since they were placed, and what turns was asked as it will have turned by half.
+// gone since they were placed, and what turns was asked as turned by half.
 static real beside_of(const contact_cache *c, const cache_frame *f, int a, int b)
 {
     return slack_of(c, f, a, b) + (f->ahead[a].arc + f->ahead[b].arc) / 2;

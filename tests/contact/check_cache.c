@@ -259,9 +259,9 @@ START_TEST(box_on_a_slab_touches_with_its_four_corners)
 }
 END_TEST
 
-// A box comes nearer to another by 5 cm a frame, and may go 11: so of ten frames only
-// the first asks, and those in which the gap of half a metre may close.
-// Rejects: asking in every frame; a gap that is kept beyond where it was seen to end.
+// A box comes nearer to another by 5 cm a frame, and may go 11: so of ten frames
+// only the first asks, and those in which the gap of half a metre may close.
+// Rejects: asking in every frame; a gap that is kept when it may have closed.
 START_TEST(pair_is_not_asked_again_before_it_can_close)
 {
     int a = add(BOX, vec3_make(0, 0, 0), 0.11);

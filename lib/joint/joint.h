@@ -131,6 +131,8 @@ typedef struct {
     real hung;                  // rad/s, of a swing under a body's own weight
     real size;                  // m, the smaller radius of the two bodies
     real want[JOINT_ROWS];      // m/s, rad/s: what the impulses are to change
+    real since[JOINT_ROWS];     // N s, N m s: what they were given since the tree
+                                // was last switched
     real before;                // rad/s, m/s, along the way of a drive when the
                                 // substep begins, and
     real speed;                 // as it is now;

@@ -512,8 +512,12 @@ static void push_more(linkage *l, const linkage_pass *q, int number,
                       const real more[JOINT_ROWS])
 {
     joint *j = &l->joint[number];
-    push_both(q, j, &l->rows[number], more);
-    for (int k = 0; k < JOINT_ROWS; k++) j->impulse[k] += more[k];
+    joint_rows *r = &l->rows[number];
+    push_both(q, j, r, more);
+    for (int k = 0; k < JOINT_ROWS; k++) {
+        j->impulse[k] += more[k];
+        if (more[k] != 0) r->since[k] = 0;
+    }
     if (j->a >= 0) find_end(l, q, j->a);
     if (j->b >= 0) find_end(l, q, j->b);
 }
@@ -553,6 +557,7 @@ static bool switch_limit(linkage *l, const linkage_pass *q, int number,
         what(l, q, number, want);
         if (!(want[k] > 0)) return false;
     }
+    r->since[k] = 0;
     r->count = k + !pushes;
     return true;
 }
@@ -809,7 +814,10 @@ static inline void solve_outward(int n, linkage *l, const linkage_step *s)
     drive_by(on->impulse, n, rows_at(r, j, s->on), r->want);
     if (s->body >= 0)
         drive_by(l->body[s->body].impulse, n, rows_at(r, j, s->body), r->want);
-    for (int i = 0; i < n; i++) j->impulse[i] += r->want[i];
+    for (int i = 0; i < n; i++) {
+        j->impulse[i] += r->want[i];
+        r->since[i] += r->want[i];
+    }
 }
 
 static void solve_tree(linkage *l, const linkage_pass *q, int first, int end)
@@ -848,6 +856,34 @@ static const real MISS = 1e-6;              // tuned, sizes
 // pulls, is solved again.
 enum { LIMIT_ROUNDS = 4 };                  // tuned, rounds
 
+// Are all where they were when this was last asked?
+static bool find_ends(linkage *l, const linkage_pass *q, int first, int end)
+{
+    bool are_known = true;
+    for (int s = first; s < end; s++)
+        if (l->step[s].body >= 0) are_known &= find_end(l, q, l->step[s].body);
+    return are_known;
+}
+
+// What a tree was given while a row of it held that does not: a motor that is asked
+// for a speed, and cannot reach it, is answered by all other joints.  They take that
+// back, or a light body between them would spin away with it.
+static void take_back(linkage *l, const linkage_pass *q, int first, int end)
+{
+    for (int s = first; s < end; s++) {
+        int k = l->step[s].joint;
+        real back[JOINT_ROWS];
+        if (k < 0) continue;
+        for (int i = 0; i < JOINT_ROWS; i++) {
+            back[i] = -l->rows[k].since[i];
+            l->rows[k].since[i] = 0;
+            l->joint[k].impulse[i] += back[i];
+        }
+        push_both(q, &l->joint[k], &l->rows[k], back);
+    }
+    find_ends(l, q, first, end);
+}
+
 static bool switch_limits(linkage *l, const linkage_pass *q, int first, int end,
                           wanting *what)
 {
@@ -855,6 +891,7 @@ static bool switch_limits(linkage *l, const linkage_pass *q, int first, int end,
     for (int s = first; s < end; s++)
         if (l->step[s].joint >= 0)
             has_changed |= switch_limit(l, q, l->step[s].joint, what);
+    if (has_changed) take_back(l, q, first, end);
     return has_changed;
 }
 
@@ -876,34 +913,24 @@ static real find_wants(linkage *l, const linkage_pass *q, int first, int end,
     return q->f->h * worst;
 }
 
-// Are all where they were when this was last asked?
-static bool find_ends(linkage *l, const linkage_pass *q, int first, int end)
-{
-    bool are_known = true;
-    for (int s = first; s < end; s++)
-        if (l->step[s].body >= 0) are_known &= find_end(l, q, l->step[s].body);
-    return are_known;
-}
-
-// Solved once, and again while a joint will miss what it wants by too much.  A
-// limit or motor that was switched is asked again when the tree has answered.
+// Solved once, and again while a joint will miss what it wants by too much.
 static void settle_tree(linkage *l, const linkage_pass *q, int first, int end,
                         wanting *what, int rounds, real rough)
 {
     linkage_body *root = &l->body[l->step[end - 1].body];
     bool is_last = what == want_together || what == want_driven_together;
-    bool waits = false;
+    for (int s = first; s < end - 1 && root->is_limited; s++)
+        memset(l->rows[l->step[s].joint].since, 0, sizeof l->rows->since);
     for (int n = 0; n < rounds + LIMIT_ROUNDS; n++) {
         if (n >= rounds && !root->is_limited) return;
         bool is_known = is_last && find_ends(l, q, first, end);
         if (is_known && root->is_settled) return;
-        bool has_changed = root->is_limited && !waits
+        bool has_changed = root->is_limited
                         && switch_limits(l, q, first, end, what);
         real missed = find_wants(l, q, first, end, what);
         bool is_settled = (n > 0 || root->is_solved) && missed <= MISS;
         root->is_settled = is_settled && is_last;
-        if (!has_changed && !waits && (is_settled || n >= rounds)) return;
-        waits = has_changed;
+        if (!has_changed && (is_settled || n >= rounds)) return;
         if (has_changed || !root->is_ready) factor_tree(l, q, first, end);
         root->is_ready = true;
         root->is_solved = is_last;

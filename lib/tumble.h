@@ -287,7 +287,8 @@ tumble_shape tumble_shape_rope(tumble_world *w, int n, double length,
                                double mass);
 
 // A cloth of columns x rows vertices in the plane y = 0: width along x, depth
-// along z.  Vertex (i, j) is number j columns + i.
+// along z.  Vertex (i, j) is number j columns + i.  It lies three quarters of the
+// way from one vertex to the next above what bears it: a fine cloth is a thin one.
 tumble_shape tumble_shape_cloth(tumble_world *w, int columns, int rows,
                                 double width, double depth, double mass);
 
@@ -778,7 +779,9 @@ typedef struct {
     tumble_vec3 normal;             // unit, from b to a
     int points;                     // 1 to TUMBLE_POINTS
     tumble_vec3 point[TUMBLE_POINTS];   // m
-    double force[TUMBLE_POINTS];    // N, along the normal, in the last substep
+    double force[TUMBLE_POINTS];    // N, along the normal, in the last substep: what
+                                    // a new velocity of a lift gives, at once, only
+                                    // tumble_world_impulses has
 } tumble_contact;
 
 // Those that pushed each other in the last substep of the last step: writes `most` of

@@ -95,13 +95,13 @@ tumble_shape tumble_body_shape(const tumble_world *w, tumble_body b)
 void tumble_body_poses(const tumble_world *w, const tumble_body *b, int n,
                        tumble_pose *out)
 {
-    for (int k = 0; k < n; k++) out[k] = tumble_body_pose(w, b[k]);
+    for (int k = 0; k < n && b && out; k++) out[k] = tumble_body_pose(w, b[k]);
 }
 
 void tumble_body_velocities(const tumble_world *w, const tumble_body *b, int n,
                             tumble_vec3 *velocity, tumble_vec3 *spin)
 {
-    for (int k = 0; k < n; k++) {
+    for (int k = 0; k < n && b; k++) {
         placement p = where_is(w, b[k]);
         if (velocity) velocity[k] = to_user(p.velocity);
         if (spin)     spin[k] = to_user(p.spin);

@@ -826,6 +826,10 @@ START_TEST(nonsense_is_refused_in_a_sentence)
     ck_assert(tumble_body_pose(w, gone).rotation.w == 0);
     ck_assert(!tumble_body_is_awake(w, gone));
     ck_assert(tumble_body_mass(w, still) == 0);
+    // What is written to may be NULL, and a list that is none has no bodies.
+    tumble_body_poses(w, &b, 1, NULL);
+    tumble_body_poses(w, NULL, 1, &o.pose);
+    tumble_body_velocities(w, NULL, 1, NULL, NULL);
     tumble_world_free(w);
 }
 END_TEST

@@ -150,7 +150,7 @@ static vec3 turned_often(vec3 t, int times, vec3 x)
 rigid_frame motion_frame(const rigid_frame *frame, const motion_basis *basis,
                          const motion *d)
 {
-    vec3 straight = { d->of[0], d->of[1], d->of[2] };
+    vec3 straight = motion_straight(d);
     int moves = moves_of(basis, d);
     vec3 turn = vec3_scale(1.0 / moves, motion_rotation(basis, d));
     vec3 half = half_tangent(turn);
@@ -316,7 +316,7 @@ ALWAYS_INLINE turning turning_of(const rigid_frame *frame,
 
 void motion_advance(rigid_frame *frame, motion_basis *basis, motion *u, real h)
 {
-    vec3 straight = { u->of[0], u->of[1], u->of[2] }, axis = { 0, 0, 0 };
+    vec3 straight = motion_straight(u), axis = { 0, 0, 0 };
     turning x = turning_of(frame, basis, u);
     int n = free_moves(&x, h);
     frame->center = vec3_add_scaled(frame->center, h, straight);
@@ -369,7 +369,7 @@ void motion_straighten(const rigid4 *f, rigid_frame *frame)
 void motion_put(particle *p, const rigid_frame *frame,
                 const motion_basis *basis, const motion *u, real h)
 {
-    vec3 straight = { u->of[0], u->of[1], u->of[2] };
+    vec3 straight = motion_straight(u);
     vec3 turn = motion_rotation(basis, u);
     for (int k = 0; k < FOUR; k++) {
         vec3 arm = frame_arm(frame, k);

@@ -64,6 +64,12 @@ motion motion_of(const particle *p, const rigid_frame *frame,
 // The motion with this velocity (m/s) and this spin (rad/s).
 motion motion_make(const motion_basis *basis, vec3 velocity, vec3 spin);
 
+// The way of the centre in m: m/s, or m.
+static inline vec3 motion_straight(const motion *m)
+{
+    return vec3_make(m->of[0], m->of[1], m->of[2]);
+}
+
 // The rotation in m, about the centre: rad/s, or rad.
 static inline vec3 motion_rotation(const motion_basis *basis, const motion *m)
 {
@@ -77,8 +83,7 @@ static inline vec3 motion_rotation(const motion_basis *basis, const motion *m)
 static inline vec3 motion_at(const motion_basis *basis, const motion *m,
                              vec3 arm)
 {
-    vec3 straight = { m->of[0], m->of[1], m->of[2] };
-    return vec3_add(straight, vec3_cross(motion_rotation(basis, m), arm));
+    return vec3_add(motion_straight(m), vec3_cross(motion_rotation(basis, m), arm));
 }
 
 // An impulse (N s) at `arm` (m, from the centre) changes a velocity m; an
@@ -121,8 +126,7 @@ static inline bool motion_is_some(const motion *m)
 static inline real motion_fastest(const motion_basis *basis, const motion *m,
                                   real radius)
 {
-    vec3 straight = { m->of[0], m->of[1], m->of[2] };
-    return vec3_length(straight)
+    return vec3_length(motion_straight(m))
          + radius * vec3_length(motion_rotation(basis, m));
 }
 

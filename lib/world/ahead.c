@@ -29,7 +29,7 @@ static prediction predict(const world *w, int b, real dt)
 {
     const solver_body *now = &w->rigid.now[b];
     const motion *u = &w->rigid.velocity[b];
-    vec3 straight = { u->of[0], u->of[1], u->of[2] };
+    vec3 straight = motion_straight(u);
     vec3 spin = rigid4_lean(w->body[b].rigid, &now->frame,
                             motion_rotation(&now->basis, u));
     real beside = vec3_length(body_gravity(w, b)) * dt * dt / 2

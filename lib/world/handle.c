@@ -58,8 +58,7 @@ static placement where_rigid(const world *w, int b)
     if (!body_moves(w, b)) return at;
     motion_basis basis = basis_find(x->rigid, &now);
     motion u = motion_of(p, &now, &basis, body_age(w, b));
-    at.velocity = vec3_add(vec3_make(u.of[0], u.of[1], u.of[2]),
-                           since_then(w, b));
+    at.velocity = vec3_add(motion_straight(&u), since_then(w, b));
     at.spin = motion_rotation(&basis, &u);
     return at;
 }
@@ -156,8 +155,7 @@ void world_push(world *w, int b, vec3 impulse, vec3 at)
     motion_basis basis = basis_find(x->rigid, &now);
     motion u = { { 0 } };
     motion_push(&u, &basis, vec3_sub(at, now.center), impulse);
-    add_velocity(w, b, vec3_make(u.of[0], u.of[1], u.of[2]),
-                 motion_rotation(&basis, &u));
+    add_velocity(w, b, motion_straight(&u), motion_rotation(&basis, &u));
 }
 
 void world_push_particle(world *w, int b, int i, vec3 impulse)

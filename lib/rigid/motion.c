@@ -10,7 +10,7 @@ const motion_basis MOTION_IMMOVABLE = { .inverse_mass = 0 };
 
 motion_basis basis_find(const rigid4 *f, const rigid_frame *frame)
 {
-    motion_basis b = { .inverse_mass = 1 / (FOUR * f->mass) };
+    motion_basis b = { .inverse_mass = 1 / (FOUR * f->mass), .of = f };
     for (int t = 0; t < TURNS; t++)
         b.turn[t] = vec3_scale(f->turn[t], frame->axis[t]);
     return b;
@@ -167,10 +167,7 @@ rigid_frame motion_frame(const rigid_frame *frame, const motion_basis *basis,
 // A body that turns freely, in coordinates along its own axes: how it turned since
 // it began, as a quaternion of any length, and its angular momentum.
 typedef struct {
-    real scale[TURNS];      // motion_basis.turn beside frame.axis
-    real length[TURNS];     // m, of frame.axis
-    real root[TURNS];       // kg^(-1/2) / m, the square root of inverse
-    real inverse[TURNS];    // 1/(kg m^2), one over each moment of inertia
+    const real *inverse;    // 1/(kg m^2), one over each moment of inertia
     real angular[TURNS];    // kg m^2/s
     real w, turned[TURNS];  // 1, the quaternion: its number and its vector
 } turning;
@@ -214,43 +211,21 @@ static void turn_plane(turning *x, int k, int i, int j, real inverse, real h)
 }
 //<
 
-//> motion-moments
-//>   Which two moments are nearest to each other?
-// Of the three moments two are nearest to each other, `ball` and `like`.
-typedef struct {
-    int ball, like, odd;    // in cyclic order, so that axes are right-handed
-} moments;
-
-static moments compare_moments(const turning *x)
-{
-    moments best = { 0, 1, 2 };
-    real least = HUGE_VAL;
-    for (int k = 0; k < TURNS; k++) {
-        int i = (k + 1) % TURNS, j = (k + 2) % TURNS;
-        real apart = fabs(x->inverse[i] - x->inverse[j]);
-        if (!(apart < least)) continue;
-        least = apart;
-        best = (moments){ i, j, k };
-    }
-    return best;
-}
-//<
-
 //> motion-freely
 // The energy is that of a ball with the first moment, and what the other two
 // axes have more or less.  A ball turns steadily about its angular momentum, and
 // a turn about an own axis is exact, whatever the other moments are.  The first
 // changes nothing for the others, so only these two are split, symmetrically in
-// time.  A top, a wheel or a needle, with two moments alike, turns exactly.
-static void turn_freely(turning *x, real h)
+// time.  The ball's moment is one of the two that are nearest to each other: so a
+// top, a wheel or a needle, with two moments alike, turns exactly.
+static void turn_freely(turning *x, int ball, real h)
 {
-    moments m = compare_moments(x);
-    real ball = x->inverse[m.ball];
-    turn_ball(x, ball, h);
-    real like = x->inverse[m.like] - ball, odd = x->inverse[m.odd] - ball;
-    turn_plane(x, m.like, m.odd, m.ball, like, h / 2);
-    turn_plane(x, m.odd, m.ball, m.like, odd, h);
-    turn_plane(x, m.like, m.odd, m.ball, like, h / 2);
+    int next = (ball + 1) % TURNS, odd = (ball + 2) % TURNS;
+    real inverse = x->inverse[ball];
+    turn_ball(x, inverse, h);
+    turn_plane(x, next, odd, ball, x->inverse[next] - inverse, h / 2);
+    turn_plane(x, odd, ball, next, x->inverse[odd] - inverse, h);
+    turn_plane(x, next, odd, ball, x->inverse[next] - inverse, h / 2);
 }
 //<
 
@@ -299,37 +274,27 @@ static int free_moves(const turning *x, real h)
 //> motion-advance
 //>   Every substep a body flies straight on, and turns. Its velocity follows from
 //>   the angular momentum.
-ALWAYS_INLINE turning turning_of(const rigid_frame *frame,
-                                 const motion_basis *basis, const motion *u)
-{
-    turning x = { .w = 1 };
-    for (int t = 0; t < TURNS; t++) {
-        real square = vec3_length_squared(frame->axis[t]);
-        x.length[t] = sqrt(square);
-        x.scale[t] = vec3_dot(basis->turn[t], frame->axis[t]) / square;
-        x.root[t] = x.scale[t] * x.length[t];
-        x.inverse[t] = x.root[t] * x.root[t];
-        x.angular[t] = x.root[t] > 0 ? u->of[MOTION_TURN + t] / x.root[t] : 0;
-    }
-    return x;
-}
-
 void motion_advance(rigid_frame *frame, motion_basis *basis, motion *u, real h)
 {
+    const rigid4 *f = basis->of;
     vec3 straight = motion_straight(u), axis = { 0, 0, 0 };
-    turning x = turning_of(frame, basis, u);
-    int n = free_moves(&x, h);
     frame->center = vec3_add_scaled(frame->center, h, straight);
+    if (!f) return;
+    turning x = { .w = 1, .inverse = f->inverse };
+    for (int t = 0; t < TURNS; t++)
+        x.angular[t] = u->of[MOTION_TURN + t] * f->root[t];
+    int n = free_moves(&x, h);
     for (int k = 0; k < n; k++) {
-        turn_freely(&x, h / n);
+        turn_freely(&x, f->alike, h / n);
         if (n > 1) shorten(&x);
     }
     for (int t = 0; t < TURNS; t++)
-        axis = vec3_add_scaled(axis, x.turned[t] / x.length[t], frame->axis[t]);
+        axis = vec3_add_scaled(axis, x.turned[t] * f->per_length[t],
+                               frame->axis[t]);
     turn_axes(frame, x.w, axis);
     for (int t = 0; t < TURNS; t++) {
-        basis->turn[t] = vec3_scale(x.scale[t], frame->axis[t]);
-        u->of[MOTION_TURN + t] = x.root[t] * x.angular[t];
+        basis->turn[t] = vec3_scale(f->turn[t], frame->axis[t]);
+        u->of[MOTION_TURN + t] = x.angular[t] / f->root[t];
     }
 }
 //<
@@ -340,10 +305,9 @@ void motion_displace(rigid_frame *frame, motion_basis *basis, motion *u,
                      const motion *d)
 {
     vec3 angular = motion_angular(basis, u);
-    turning x = turning_of(frame, basis, u);
     *frame = motion_frame(frame, basis, d);
-    for (int t = 0; t < TURNS; t++) {
-        basis->turn[t] = vec3_scale(x.scale[t], frame->axis[t]);
+    for (int t = 0; t < TURNS && basis->of; t++) {
+        basis->turn[t] = vec3_scale(basis->of->turn[t], frame->axis[t]);
         u->of[MOTION_TURN + t] = vec3_dot(basis->turn[t], angular);
     }
 }

@@ -23,6 +23,7 @@ enum { TURNS = 3 };
 typedef struct {
     real inverse_mass;  // 1/kg, of the whole body; 0: immovable
     vec3 turn[TURNS];   // rad kg^(-1/2) / m: axis and angle, for a turn of 1
+    const rigid4 *of;   // whose moments it has; NULL: immovable
 } motion_basis;
 
 extern const motion_basis MOTION_IMMOVABLE;

@@ -192,6 +192,12 @@ static void place_four(rigid4 *f, const shape *s, const rigid_solid *q,
     f->turns_right = turns_right(f->at[0], f->at[1], f->at[2], f->at[3]);
 }
 
+// 1/(kg m^2)
+static real apart_from_next(const rigid4 *f, int i)
+{
+    return fabs(f->inverse[i] - f->inverse[(i + 1) % AXES]);
+}
+
 // A turn about axis i moves particles across it by what they are off it: the
 // moment of inertia is 4 mass (y_j^2 + y_k^2), j and k being the other two.  A
 // turn of c y_i, an angle of c |y_i|, has an energy of (c |y_i|)^2 inertia / 2;
@@ -201,8 +207,13 @@ static void find_turns(rigid4 *f)
     real sum = f->square[0] + f->square[1] + f->square[2];
     for (int i = 0; i < AXES; i++) {
         real inertia = FOUR * f->mass * (sum - f->square[i]);
-        f->turn[i] = 1 / sqrt(f->square[i] * inertia);
+        f->root[i] = sqrt(inertia);
+        f->inverse[i] = 1 / inertia;
+        f->per_length[i] = 1 / sqrt(f->square[i]);
+        f->turn[i] = f->per_length[i] / f->root[i];
     }
+    for (int i = 0; i < AXES; i++)
+        if (apart_from_next(f, i) < apart_from_next(f, f->alike)) f->alike = i;
 }
 
 // (What has a weight of its own may have its centre beside the axis.)

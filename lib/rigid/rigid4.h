@@ -41,6 +41,10 @@ typedef struct rigid4 {
     vec3 middle;            // the same, of the mean of all vertices
     vec3 span;              // of all vertices, the largest of each coordinate
     real turn[FOUR_AXES];   // kg^(-1/2) m^(-2), see motion_basis
+    real root[FOUR_AXES];   // kg^(1/2) m, of the moment of inertia about each axis
+    real inverse[FOUR_AXES];        // 1/(kg m^2), one over that moment
+    real per_length[FOUR_AXES];     // 1/m, one over the length of its vector
+    int  alike;             // the moments of this axis and the next one are nearest
 } rigid4;
 //<
 

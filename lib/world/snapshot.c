@@ -108,6 +108,8 @@ static void linkage_store(linkage *l, store *s)
     STORE_ROOM(s, l->apart, l->capacity);
     STORE_TABLE(s, l->tied, l->ties, l->tie_room);
     STORE_TABLE(s, l->body, l->bodies, l->bodies);
+    for (int b = 0; b < l->bodies && s->done.ok; b++)
+        STORE_FORGET(s, l->body[b].end);
 }
 //<
 
@@ -296,6 +298,8 @@ static void rigid_store(rigid_tables *t, int bodies, int room, store *s)
 #undef KEPT
 #undef ZEROS
 #undef FILLED
+    for (int b = 0; b < bodies && s->done.ok; b++)
+        STORE_FORGET(s, t->now[b].basis.of);
     STORE_ZEROS(s, t->velocity, t->motions);
     STORE_ZEROS(s, t->moved, t->motions);
     STORE_FORGET(s, t->awakes);

@@ -266,13 +266,13 @@ typedef struct {
 // them, what must be zeros where a frame begins, and what a step fills before it
 // reads it.
 #define RIGID_TABLES(KEPT, ZEROS, FILLED)                                     \
-    KEPT(dynamic) KEPT(now) KEPT(ball) KEPT(age) KEPT(choice) KEPT(held)      \
-    KEPT(load) KEPT(material) KEPT(drive)                                     \
+    KEPT(dynamic) KEPT(ball) KEPT(age) KEPT(choice) KEPT(held) KEPT(load)     \
+    KEPT(material) KEPT(drive)                                                \
     ZEROS(ahead) ZEROS(reach) ZEROS(halfway) ZEROS(rung) ZEROS(is_awake)      \
     FILLED(moves) FILLED(island) FILLED(by_rung) FILLED(asked) FILLED(middle) \
     FILLED(turned) FILLED(lying) FILLED(began) FILLED(awake) FILLED(fresh)    \
     FILLED(going) FILLED(touches) FILLED(now_then) FILLED(velocity_then)      \
-    FILLED(moved_then)
+    FILLED(moved_then) KEPT(now)
 //<
 
 //> world-struct

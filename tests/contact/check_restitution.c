@@ -27,6 +27,7 @@ static real any_size(real n)
 // --- a world of a few bodies -------------------------------------------------
 
 static solver_body body[MOST];
+static rigid4 plan[MOST];
 static vec3 origin[MOST];       // where they began
 static plane wall[6];
 static contact made[4 * MOST];
@@ -55,14 +56,23 @@ static void set_up(void)
 static int add(vec3 at, real mass, vec3 inertia, real radius)
 {
     solver_body *b = &body[bodies];
+    rigid4 *f = &plan[bodies];
+    const real moment[TURNS] = { inertia.x, inertia.y, inertia.z };
     *b = (solver_body){ .radius = radius, .frame = { .center = at,
         .axis = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } } } };
-    vec3 turn = { 1 / sqrt(inertia.x), 1 / sqrt(inertia.y),
-                  1 / sqrt(inertia.z) };
-    if (mass < HUGE_VAL)
-        b->basis = (motion_basis){ 1 / mass, { { turn.x, 0, 0 },
-                                               { 0, turn.y, 0 },
-                                               { 0, 0, turn.z } } };
+    *f = (rigid4){ .mass = mass / FOUR };
+    for (int t = 0; t < TURNS; t++) {
+        f->per_length[t] = 1;
+        f->root[t] = sqrt(moment[t]);
+        f->inverse[t] = 1 / moment[t];
+        f->turn[t] = 1 / f->root[t];
+    }
+    for (int t = 0, next = 1; t < TURNS; t++, next = (next + 1) % TURNS) {
+        int best = (f->alike + 1) % TURNS;
+        if (fabs(f->inverse[t] - f->inverse[next])
+            < fabs(f->inverse[f->alike] - f->inverse[best])) f->alike = t;
+    }
+    if (mass < HUGE_VAL) b->basis = basis_find(f, &b->frame);
     origin[bodies] = at;
     frame.bodies = ++bodies;
     return bodies - 1;

@@ -189,8 +189,8 @@ typedef struct {
     signed char point[CONTACT_POINTS];  // which of the contact's
     real least;                         // m, of all points
     real load;          // N s, along the normal, when last solved
-    int  above;         // the body that lies on the other, if they touch, and
-                        // it is not driven; or -1
+    int  above;         // the body that lies on the other, if they may touch,
+                        // and it is not driven; or -1
     real lift;          // N m/s, the load along gravity, times gravity
     real weight;        // m/s^2, the weight of that body, over effective mass,
                         // as if nothing else bore it;

@@ -18,14 +18,14 @@ static bool side_yields(const solver_frame *f, int body)
         && !f->body[body].is_driven;
 }
 
-// N: the weight of the body that lies on the other, if they touch.  Notes which
-// that is, and how much of the load bears it.
+// N: the weight of the body that lies on the other.  Notes which that is, and how
+// much of the load bears it.
 static real find_above(active_contact *x, const contact *c,
                        const solver_frame *f)
 {
     real up = vec3_dot(c->normal, f->gravity);      // > 0: B lies on A
     int above = up > 0 ? c->b : c->a;
-    if (!(x->load > 0) || !side_yields(f, above)) return 0;
+    if (x->count == 0 || !side_yields(f, above)) return 0;
     x->above = above;
     x->lift = x->load * fabs(up);
     return fabs(up) / f->body[above].basis.inverse_mass;

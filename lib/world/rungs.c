@@ -245,10 +245,14 @@ static real borne_by(const rigid_tables *t, const active_contact *x,
     return x->load > most ? x->borne * most / x->load : x->borne;
 }
 
-static real weight_on(const rigid_tables *t, const active_contact *x)
+// What nothing has borne yet has just been set down, if all is calm: each contact
+// below it may have to bear all of it.
+static real weight_on(const rigid_tables *t, const active_contact *x,
+                      const island *i)
 {
-    if (!(x->lift > 0)) return 0;
-    return x->weight * x->lift / t->island[x->above].lift;
+    real lift = x->above < 0 ? 0 : t->island[x->above].lift;
+    if (lift > 0) return x->weight * x->lift / lift;
+    return i->is_calm && !i->hangs ? x->weight : 0;
 }
 
 // rad, in this frame.  A ball counts as if it did not turn.
@@ -294,7 +298,7 @@ static void ask_contacts(world *w)
         island *i = x->count > 0 ? rungs_island(w, x->a, -1) : NULL;
         if (!i) continue;
         real width = width_at(t, x), borne = borne_by(t, x, i) / width;
-        i->weight = real_max(i->weight, weight_on(t, x) / width);
+        i->weight = real_max(i->weight, weight_on(t, x, i) / width);
         i->squares += borne * borne;
         i->bears += borne > 0;
         if (x->sides == DRIVEN_SIDED) judge_island(w, i, x->a, x->b);

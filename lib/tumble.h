@@ -608,7 +608,8 @@ bool tumble_joint_set_friction(tumble_world *w, tumble_joint j, double torque);
 //
 // The motor keeps b at `speed` against a (rad/s, right-handed about the axis; m/s
 // along it, or apart) with `force` (N m or N, not negative) at most.  A speed of 0 is
-// friction, or a brake; a force of 0 takes the motor off.
+// friction, or a brake; a force of 0 takes the motor off, and HUGE_VAL is as much
+// as it takes.
 bool tumble_joint_set_motor(tumble_world *w, tumble_joint j, double speed,
                             double force);
 
@@ -622,7 +623,7 @@ bool tumble_joint_set_spring(tumble_world *w, tumble_joint j, double rest,
 // A spring to `place` (rad or m) that gives `force` (N m or N) at most.  The two
 // bodies alone, as they stand now, would swing about it at `hertz` (1/s), with a
 // damping ratio of `ratio` (0: undamped; 1: critical).  It takes the place of a spring
-// that was set; a force of 0 takes it off.
+// that was set; a force of 0 takes it off, and HUGE_VAL sets no bound.
 bool tumble_joint_set_servo(tumble_world *w, tumble_joint j, double place,
                             double hertz, double ratio, double force);
 

@@ -60,9 +60,9 @@ status actuator_set_motor(joint *j, real speed, real force)
 {
     status done = check_way(j, "motor");
     if (!done.ok) return done;
-    if (!(fabs(speed) < HUGE_VAL && force >= 0 && force < HUGE_VAL))
-        return status_fail("a motor of speed %g and force %g is none: they must "
-                           "be finite, and the force 0 or more", speed, force);
+    if (!(fabs(speed) < HUGE_VAL && force >= 0))
+        return status_fail("a motor of speed %g and force %g: the speed must be "
+                           "finite, and the force 0 or more", speed, force);
     j->drive.speed = speed;
     j->drive.force = force;
     arrange(j);
@@ -78,9 +78,9 @@ status actuator_set_spring(joint *j, real rest, real stiffness, real damping,
     if (!(fabs(rest) < HUGE_VAL && stiffness >= 0 && stiffness < HUGE_VAL
           && damping >= 0 && damping < HUGE_VAL && bound >= 0))
         return status_fail("a spring of stiffness %g and damping %g, to %g, of "
-                           "%g at most is none: they must be finite and, but "
-                           "for the place, 0 or more", stiffness, damping, rest,
-                           bound);
+                           "%g at most: they must be finite, but for the most, "
+                           "and, but for the place, 0 or more", stiffness,
+                           damping, rest, bound);
     if (j->kind == JOINT_HINGE && fabs(rest) > JOINT_HALF_TURN)
         return status_fail("a hinge is never at %g rad: its angles go from -pi "
                            "to pi", rest);
@@ -267,7 +267,7 @@ static void release_limit(joint_drive *d, const joint_rows *r, real needed)
     bool helps = off * (d->speed - r->room[d->limit > 0]) > 0;
     if (!(off * needed < (helps ? 1 : -1) * d->force * r->kick)) return;
     d->limit = 0;
-    d->motor = d->force > 0 ? helps ? off : -off : 0;
+    d->motor = d->force > 0 && d->force < HUGE_VAL ? helps ? off : -off : 0;
 }
 
 // What it could not do it can, if the bodies come to be faster than it wants.

@@ -32,6 +32,11 @@ bool inside_is_world(tumble_world *w)
     return w || inside_fail(w, "there is no world: it was not made");
 }
 
+bool inside_is_list(tumble_world *w, const void *list, int n, const char *of)
+{
+    return list || n <= 0 || inside_fail(w, "the list of %s is NULL", of);
+}
+
 void *inside_find(tumble_world *w, const slots *s, const char *what,
                   unsigned place, unsigned generation)
 {

@@ -101,6 +101,8 @@ void inside_not_made(status s);
 bool inside_is_ok(tumble_world *w, status s);
 // Is there a world?  NULL is none, and NULL has the failure.
 bool inside_is_world(tumble_world *w);
+// Is there a list of n things?  Not, with a failure, if it is NULL and n > 0.
+bool inside_is_list(tumble_world *w, const void *list, int n, const char *of);
 
 // What this id calls in a table of w; NULL, with a failure, if there is nothing.
 void *inside_find(tumble_world *w, const slots *s, const char *what,

@@ -191,8 +191,9 @@ tumble_body tumble_body_add(tumble_world *w, tumble_shape s,
 static bool are_pieces(tumble_world *w, const tumble_shape *piece,
                        const tumble_pose *pose, int n)
 {
-    return (n > 0 && piece && pose)
-        || inside_fail(w, "a body of %d pieces is none", n);
+    return inside_is_list(w, piece, n, "pieces")
+        && inside_is_list(w, pose, n, "poses")
+        && (n > 0 || inside_fail(w, "a body of %d pieces: it has at least one", n));
 }
 
 tumble_body tumble_body_add_pieces(tumble_world *w, const tumble_shape *piece,

@@ -178,9 +178,9 @@ bool tumble_joint_set_servo(tumble_world *w, tumble_joint j, double place,
     if (!x) return false;
     if (!(hertz > 0 && hertz < HUGE_VAL && ratio >= 0 && ratio < HUGE_VAL
           && force >= 0))
-        return inside_fail(w, "a servo of %g Hz, ratio %g and force %g is none: "
-                           "they must be above 0, the ratio and the force may "
-                           "be 0", hertz, ratio, force);
+        return inside_fail(w, "a servo of %g Hz, ratio %g and force %g: hertz "
+                           "must be above 0 and finite, the ratio 0 or more and "
+                           "finite, the force 0 or more", hertz, ratio, force);
     real omega = 2 * JOINT_HALF_TURN * hertz;
     real inertia = world_joint_inertia(&w->world, *x);
     real stiffness = force > 0 ? inertia * omega * omega : 0;

@@ -423,9 +423,11 @@ tumble_body tumble_body_add_mesh(tumble_world *w, const tumble_vec3 *point,
     const vec3 down = { 0, 0, 0 };
     tumble_body b = { 0, 0 };
     if (!inside_is_world(w) || !is_thickness(w, thickness)) return b;
-    if (!point || !triangle || points < 1 || triangles < 1)
-        return inside_fail(w, "a surface of %d points and %d triangles is none",
-                           points, triangles), b;
+    if (!inside_is_list(w, point, points, "points")
+        || !inside_is_list(w, triangle, triangles, "triangles")) return b;
+    if (points < 1 || triangles < 1)
+        return inside_fail(w, "a surface of %d points and %d triangles: it has "
+                           "some of both", points, triangles), b;
     vec3 *at = malloc((size_t)points * sizeof *at);
     int (*of)[3] = malloc((size_t)triangles * sizeof *of);
     for (int k = 0; at && k < points; k++) at[k] = from_user(point[k]);
@@ -455,10 +457,10 @@ static void place_heights(vec3 *at, const double *height, int columns, int rows,
 static bool is_grid(tumble_world *w, const double *height, int columns,
                     int rows, double width, double depth)
 {
-    if (!height || columns < 2 || rows < 2 || columns > MOST_ROWS
-        || rows > MOST_ROWS)
-        return inside_fail(w, "a terrain of %d x %d points is none: it has from "
-                           "2 to %d along each side", columns, rows, MOST_ROWS);
+    if (columns < 2 || rows < 2 || columns > MOST_ROWS || rows > MOST_ROWS)
+        return inside_fail(w, "a terrain of %d x %d points: it has from 2 to %d "
+                           "along each side", columns, rows, MOST_ROWS);
+    if (!inside_is_list(w, height, columns, "heights")) return false;
     if (width > 0 && width < HUGE_VAL && depth > 0 && depth < HUGE_VAL)
         return true;
     return inside_fail(w, "a terrain is %g m wide and %g m deep: both must be "

@@ -73,7 +73,7 @@ tumble_shape tumble_shape_hull(tumble_world *w, const tumble_vec3 *point, int n,
                                double mass)
 {
     shape s;
-    if (!point) n = 0;
+    if (!inside_is_list(w, point, n, "points")) return (tumble_shape){ 0, 0 };
     vec3 *at = calloc(n > 0 ? (size_t)n : 1, sizeof *at);
     for (int k = 0; at && k < n; k++) at[k] = from_user(point[k]);
     status done = at ? shape_hull(&s, at, n, mass) : status_out_of_memory();

@@ -643,6 +643,30 @@ START_TEST(joint_says_where_it_is_and_how_fast_without_a_drive)
 }
 END_TEST
 
+// A servo and a joint's strength take HUGE_VAL for no bound, and so does a motor: it
+// lifts what is heavy as fast as it should, stands at its limit, and comes back.
+// Rejects: a motor that is refused, and one that gives all that it has at a limit.
+START_TEST(a_motor_of_infinite_force_gives_what_it_takes)
+{
+    begin_world(1 / 60.0, EARTH);
+    hang_cube(0.2, 1, 1000);
+    tumble_joint j = joint_now;
+    ck_assert(tumble_joint_set_strength(w, j, HUGE_VAL));
+    ck_assert(tumble_joint_set_servo(w, j, 0, 1, 1, HUGE_VAL));
+    ck_assert(tumble_joint_set_servo(w, j, 0, 1, 1, 0));
+    ck_assert(tumble_joint_set_limits(w, j, -0.5, 0.5));
+    ck_assert(tumble_joint_set_motor(w, j, 1, HUGE_VAL));
+    for (int k = 0; k < 15; k++) tumble_world_step(w);
+    near_relative(tumble_joint_angle(w, j), 0.25, 1e-3);
+    for (int k = 0; k < 45; k++) tumble_world_step(w);
+    near_relative(tumble_joint_angle(w, j), 0.5, 1e-3);
+    ck_assert(tumble_joint_set_motor(w, j, -1, HUGE_VAL));
+    for (int k = 0; k < 30; k++) tumble_world_step(w);
+    near(tumble_joint_angle(w, j), 0, 1e-3);
+    near(tumble_joint_speed(w, j), -1, 1e-3);
+}
+END_TEST
+
 START_TEST(what_makes_no_drive_is_refused_with_a_sentence)
 {
     begin_world(1 / 60.0, EARTH);
@@ -655,8 +679,6 @@ START_TEST(what_makes_no_drive_is_refused_with_a_sentence)
                    "a motor of speed");
     expect_refusal(tumble_joint_set_motor(w, j, 1, -1), "force -1");
     expect_refusal(tumble_joint_set_motor(w, j, 1, NAN), "a motor of speed");
-    expect_refusal(tumble_joint_set_motor(w, j, 1, HUGE_VAL),
-                   "a motor of speed");
     expect_refusal(tumble_joint_set_motor(w, none, 1, 1), "joint");
     expect_refusal(tumble_joint_set_spring(w, j, NAN, 1, 1),
                    "a spring of stiffness");
@@ -845,6 +867,7 @@ int main(void)
         cone_in_flight_keeps_momenta_and_gains_no_energy,
         cone_is_refused_saved_and_taken_off,
         joint_says_where_it_is_and_how_fast_without_a_drive,
+        a_motor_of_infinite_force_gives_what_it_takes,
         what_makes_no_drive_is_refused_with_a_sentence,
         saved_drives_go_on_with_the_same_bits,
         drive_goes_with_its_body_and_with_what_breaks,

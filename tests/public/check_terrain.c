@@ -780,8 +780,11 @@ START_TEST(a_bad_surface_is_refused_in_a_sentence)
     is_refused(w, tumble_body_add_mesh(w, lost, 3, v, 1, 0, o), "point 2");
     is_refused(w, tumble_body_add_mesh(w, p, 4, line, 1, 0, o), "no triangle");
     is_refused(w, tumble_body_add_mesh(w, p, 4, v, 0, 0, o),
-               "0 triangles is none");
-    is_refused(w, tumble_body_add_mesh(w, NULL, 4, v, 1, 0, o), "is none");
+               "0 triangles: it has");
+    is_refused(w, tumble_body_add_mesh(w, NULL, 4, v, 1, 0, o),
+               "the list of points is NULL");
+    is_refused(w, tumble_body_add_mesh(w, p, 4, NULL, 1, 0, o),
+               "the list of triangles is NULL");
     is_refused(w, tumble_body_add_mesh(w, p, 4, v, 1, -1, o), "thickness");
     is_refused(w, tumble_body_add_mesh(w, p, 4, v, 1, 1e-9, o), "too thin");
     is_refused(w, tumble_body_add_mesh(w, p, 4, v, 1, 0, none), "group 0");
@@ -793,7 +796,7 @@ START_TEST(a_bad_surface_is_refused_in_a_sentence)
     is_refused(w, tumble_body_add_heights(w, height, 2, 2, 0, 1, 0, o),
                "0 m wide");
     is_refused(w, tumble_body_add_heights(w, NULL, 2, 2, 1, 1, 0, o),
-               "is none");
+               "the list of heights is NULL");
     tumble_world_free(w);
     ck_assert_uint_eq(tumble_body_add_mesh(NULL, p, 4, v, 1, 0, o).generation,
                       0);

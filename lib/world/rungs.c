@@ -287,6 +287,9 @@ static void ask_joints(world *w)
         w->joints.rows[k].rubs = i->rubs;
         i->hangs = true;
         if (j->is_driven) i->pulls = HUGE_VAL;
+        // A damper that bears all of a spring: d v = k (what is left to go).
+        if (j->drive.stiffness > 0)
+            i->lasts = real_max(i->lasts, j->drive.damping / j->drive.stiffness);
     }
 }
 

@@ -126,6 +126,7 @@ static sleep_limits limits_of(const sleep_rule *rule, real radius)
     real frames = real_min(half / rule->dt + 0.5, MOST_FRAMES);
     sleep_limits l = { .frames = int_max((int)frames, 1) };
     real window = 2 * l.frames * rule->dt;
+    if (rule->lasts > window) speed *= window / rule->lasts;
     l.way = real_max(speed * window, MOTIONLESS * radius);
     l.speed = JITTER * l.way / window;
     l.noise = NOISE * radius;

@@ -22,6 +22,8 @@ typedef struct {
     real gravity;   // m/s^2, its size
     real dt;        // s, a frame
     real h;         // s: the particles were at `previous` so long ago
+    real lasts;     // s: at a speed v it has still v times this to go; 0: no one
+                    // knows
 } sleep_rule;
 
 // Such a speed of the cube, for a body of that radius.
@@ -105,8 +107,9 @@ void sleep_stand(sleep_state *s, int b);
 // A body is still while it goes no further than sleep_speed would take it, and
 // stands, or goes no further than in the window before: what slides, rolls or tips
 // over from rest goes further and further, however slowly it begins.  Without gravity,
-// only what does not move at all is still.  Coordinates that are not finite
-// are not still.
+// only what does not move at all is still.  What is known to go on for longer than
+// a window must be slower by as much.  Coordinates that are not finite are not
+// still.
 void sleep_observe(sleep_state *s, int b, const particle *pool, int first,
                    int n, real radius, const sleep_rule *rule);
 

@@ -736,13 +736,14 @@ static void observe(world *w)
 {
     const world_options *o = &w->options;
     sleep_rule rule = { o->sleep_speed, o->time_to_sleep,
-                        vec3_length(o->gravity), o->dt, 0 };
+                        vec3_length(o->gravity), o->dt, 0, 0 };
     for (int k = 0; k < w->rigid.awakes; k++) {
         int b = w->rigid.awake[k];
         const body *x = &w->body[b];
         if (!body_moves(w, b)) continue;
         real radius = x->rigid ? x->rigid->radius : x->shape->radius;
         rule.h = body_age(w, b);
+        rule.lasts = w->rigid.island[w->rigid.island[b].parent].lasts;
         if (w->is_uneven) rule.gravity = vec3_length(body_gravity(w, b));
         sleep_observe(&w->sleep, b, w->pool.at, x->first, body_particles(x),
                       radius, &rule);

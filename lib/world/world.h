@@ -177,6 +177,7 @@ typedef struct {
     real largest;       // m, the largest radius of its bodies,
     int  bodies;        // of which there are so many
     real pace;          // rad/s, of the fastest swing about its joints
+    real lasts;         // s, in which a spring would bring it home at its speed
     bool rubs;          // a contact of it presses
     bool hangs;         // it has joints, or is soft:
     bool is_soft;       // it has ropes or cloths

@@ -643,6 +643,43 @@ START_TEST(joint_says_where_it_is_and_how_fast_without_a_drive)
 }
 END_TEST
 
+// A door of this size, that a strong damper lets a spring close slowly, falls asleep.
+// m, how far its edge is from where it is closed then.
+static double edge_left(double side, double ratio, double hertz)
+{
+    end_world();
+    w = tumble_world_make(NULL);
+    tumble_vec3 up = tumble_v(0, 1, 0), at = tumble_v(side / 2, 0, 0);
+    tumble_body door = box_at(at.x, 0, 0, tumble_v(side, 2 * side, side / 20), 1);
+    tumble_joint j = tumble_joint_hinge(w, tumble_body_ground(), door,
+                                        tumble_v(0, 0, 0), up);
+    tumble_pose open = { at, tumble_quat_turn(up, 1) };
+    open.position = tumble_quat_rotate(open.rotation, at);
+    ck_assert(tumble_body_set_pose(w, door, open));
+    ck_assert(tumble_joint_set_servo(w, j, 0, hertz, ratio, HUGE_VAL));
+    int frames = 0;
+    while (tumble_body_is_awake(w, door) && frames++ < 30000) tumble_world_step(w);
+    ck_assert(!tumble_body_is_awake(w, door));
+    return fabs(tumble_joint_angle(w, j)) * side;
+}
+
+// It sleeps where it has no further to go than what is still goes before it sleeps:
+// sleep_speed for half of time_to_sleep, by Froude's scaling, or a little less.
+// Rejects: one that sleeps while it is slow, however far it has to go.
+START_TEST(door_that_closes_slowly_closes)
+{
+    for (double side = 0.02; side < 3; side *= 5)
+        for (double hertz = 0.3; hertz < 2; hertz *= 4)
+            for (double ratio = 2; ratio < 30; ratio *= 3) {
+                double size = side * 1.12 / 0.5, times = fmax(1, sqrt(size));
+                double most = 0.005 * sqrt(size) * 0.25 * times;
+                double left = edge_left(side, ratio, hertz);
+                ck_assert_msg(left < 1.2 * most, "%g m, %g Hz, ratio %g: %g m "
+                              "of %g m", side, hertz, ratio, left, most);
+            }
+}
+END_TEST
+
 // A servo and a joint's strength take HUGE_VAL for no bound, and so does a motor: it
 // lifts what is heavy as fast as it should, stands at its limit, and comes back.
 // Rejects: a motor that is refused, and one that gives all that it has at a limit.
@@ -867,6 +904,7 @@ int main(void)
         cone_in_flight_keeps_momenta_and_gains_no_energy,
         cone_is_refused_saved_and_taken_off,
         joint_says_where_it_is_and_how_fast_without_a_drive,
+        door_that_closes_slowly_closes,
         a_motor_of_infinite_force_gives_what_it_takes,
         what_makes_no_drive_is_refused_with_a_sentence,
         saved_drives_go_on_with_the_same_bits,

@@ -44,7 +44,7 @@ static real asleep_after(path x, scale c, real speed, real most)
 {
     enum { PARTS = 8 };
     real unit = size_of_time(c), h = c.dt / PARTS, found = HUGE_VAL;
-    sleep_rule rule = { speed, TIME_TO_SLEEP, c.gravity, c.dt, h };
+    sleep_rule rule = { speed, TIME_TO_SLEEP, c.gravity, c.dt, h, 0 };
     particle p[2] = { { .inverse_mass = 1 }, { .inverse_mass = 1 } };
     state = (sleep_state){ .bodies = 0 };
     ck_assert(sleep_grow(&state, 1, 2).ok);
@@ -349,7 +349,7 @@ static void begin(int bodies)
 // touch.
 static void frames(int n, const int *touching)
 {
-    const sleep_rule rule = { 0.005, TIME_TO_SLEEP, EARTH, DT, DT };
+    const sleep_rule rule = { 0.005, TIME_TO_SLEEP, EARTH, DT, DT, 0 };
     for (int k = 0; k < n; k++) {
         sleep_begin(&state);
         for (const int *t = touching; t && *t >= 0; t += 2)
@@ -407,7 +407,7 @@ END_TEST
 // Rejects: a body that is struck as it falls asleep, and hangs in the air.
 START_TEST(what_is_fast_in_the_last_frame_does_not_sleep)
 {
-    const sleep_rule rule = { 0.005, TIME_TO_SLEEP, EARTH, DT, DT / 8 };
+    const sleep_rule rule = { 0.005, TIME_TO_SLEEP, EARTH, DT, DT / 8, 0 };
     begin(1);
     frames(TO_SLEEP - 1, NULL);
     pool[0].position.x += 0.04 * DT / 8;

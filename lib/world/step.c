@@ -40,8 +40,8 @@ static void find(world *w, real seconds, real *since)
 {
     w->frame = seconds;
     look_at_bodies(w);
-    if (w->softs > 0 && soft_wake(w)) look_at_bodies(w);
     look_around(w);
+    if (w->softs > 0 && soft_wake(w)) look_at_bodies(w);
     find_pairs(w);
     ledger_book(w, LEDGER_SLEEP);
     lap(w, PHASE_PAIRS, since);

@@ -15,6 +15,7 @@ static unsigned long long seed = 11;
 
 static linkage l;
 static solver_body solid[BODIES];
+static rigid4 plan[BODIES];
 static motion velocity[BODIES], moved[BODIES];
 static solver_frame frame;
 
@@ -39,9 +40,16 @@ static void throw_bodies(void)
         solid[b].frame = JOINT_WORLD;
         solid[b].frame.center = random_vec3(&seed, 1);
         solid[b].basis.inverse_mass = 10 * heavy;
-        for (int t = 0; t < TURNS; t++)
-            solid[b].basis.turn[t] = vec3_scale((2 + t) * sqrt(10 * heavy),
-                                               JOINT_WORLD.axis[t]);
+        plan[b] = (rigid4){ .alike = 0 };       // 4, 9 and 16 times as much
+        solid[b].basis.of = &plan[b];
+        for (int t = 0; t < TURNS; t++) {
+            real turn = (2 + t) * sqrt(10 * heavy);
+            plan[b].per_length[t] = 1;
+            plan[b].root[t] = 1 / turn;
+            plan[b].inverse[t] = turn * turn;
+            plan[b].turn[t] = turn;
+            solid[b].basis.turn[t] = vec3_scale(turn, JOINT_WORLD.axis[t]);
+        }
         for (int i = 0; i < MOTIONS; i++)
             velocity[b].of[i] = random_real(&seed);
     }

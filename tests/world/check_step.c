@@ -1101,7 +1101,7 @@ START_TEST(step_allocates_only_to_grow)
 {
     begin(world_options_default());
     add_heap();
-    frames(900);                        // tables have grown until then
+    frames(1200);                       // tables have grown until then
     long before = mallocs_made;
     for (int f = 0; f < 90; f++) world_step(&w);
     long after = mallocs_made;

@@ -159,7 +159,8 @@ typedef struct {
                             // will soon
     int unconverged;        // contacts that overlap by a tenth of the smaller
                             // body's radius, joints apart by a hundredth of
-                            // it, ropes and cloths that are stretched by a
+                            // it, or with axes off by a hundredth of a radian,
+                            // ropes and cloths that are stretched by a
                             // hundredth, and bodies that were
                             // stopped, for their numbers were lost: that is a
                             // failure, too, and has a sentence
@@ -648,10 +649,11 @@ double tumble_joint_twist(const tumble_world *w, tumble_joint j);
 // the way that the place grows: a winch that pulls gives less than 0; 0 without
 // motor and spring).
 double tumble_joint_drive(const tumble_world *w, tumble_joint j);
-// m, how far apart are the points that it holds; N, what it bore in the last
-// substep; N m, what it bore then against turning, about its point (of a hinge with
-// its motor, spring and limits; 0 of a ball without a cone, a distance and a stitch); a
-// hinge's place, by another name.
+// m, how far apart are the points that it holds (how its axes are off is not in it,
+// but in a step's `unconverged`); N, what it bore in the last substep; N m, what it
+// bore then against turning, about its point (of a hinge with its motor, spring and
+// limits; 0 of a ball without a cone, a distance and a stitch); a hinge's place, by
+// another name.
 double tumble_joint_gap(const tumble_world *w, tumble_joint j);
 double tumble_joint_force(const tumble_world *w, tumble_joint j);
 double tumble_joint_torque(const tumble_world *w, tumble_joint j);

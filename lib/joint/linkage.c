@@ -977,8 +977,14 @@ static real parted_by(const joint *j, const joint_rows *r)
     return sqrt(e[0] * e[0] + e[1] * e[1] + e[2] * e[2]);
 }
 
+// rad, by how much the axes that it holds are off.
+static real tilted_by(const joint_rows *r)
+{
+    return length_of(r->error + r->lengths, r->held - r->lengths);
+}
+
 // A joint whose points are apart by more than this, as a share of its smaller
-// body's radius, is not held.
+// body's radius, is not held; nor one whose axes are off by as many radians.
 static const real PARTED = 0.01;            // tuned, radii
 
 // What is far apart comes together no faster than an overlap goes.
@@ -1007,7 +1013,7 @@ static void find_rows_of(linkage *l, const linkage_pass *q, int k)
              + j->extra;
     r->share = share_at_once(l, k, q->f);
     l->worst = real_max(l->worst, parted_by(j, r));
-    l->parted += parted_by(j, r) > PARTED * r->size;
+    l->parted += parted_by(j, r) > PARTED * r->size || tilted_by(r) > PARTED;
     if (l->role[k] == JOINT_ALONE) factor_alone(l, q, k);
 }
 

@@ -67,7 +67,8 @@ typedef struct {
     real swing;             // rad/s, of the fastest swing about a joint in the
                             // last substep, which must follow it
     real worst;             // m, by which a joint's points are apart
-    int  parted;            // joints apart by a hundredth of a body's radius
+    int  parted;            // joints apart by a hundredth of a body's radius, or
+                            // of a radian
 } linkage;
 //<
 

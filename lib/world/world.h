@@ -98,7 +98,7 @@ typedef struct {
     int  asleep;        // bodies
     int  unconverged;   // contacts that overlap by more than a tenth of the
                         // smaller body's radius, joints apart by a hundredth
-                        // of it, and ropes and cloths with a link that is off
+                        // of it or of a radian, and ropes and cloths with a link that is off
                         // by a hundredth
     int  lost;          // bodies that had no numbers after the substeps of a
                         // part of the frame, and were stopped: should be 0

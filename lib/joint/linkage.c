@@ -1277,12 +1277,36 @@ static const real TURN_PACE = 8;            // tuned, 1
 // a heap of dolls 2 %; as exactly as in free flight it costs them 13 % more.)
 static const real RUBBED = 4;               // tuned, 1
 
-// rad^2/s^2
-static real spin_squared(const linkage_pass *q, int b)
+// rad/s: how fast a spin turns a direction, of any length.
+static real turn_of_way(vec3 spin, vec3 way)
+{
+    real all = vec3_length(way);
+    return all > 0 ? vec3_length(vec3_cross(spin, way)) / all : 0;
+}
+
+// rad/s: how fast it turns what joint j holds of body b: the arm from its centre,
+// and the axis of a hinge.  (What holds more than that holds three axes.)
+static real turn_of_held(const linkage_pass *q, const joint *j, int b, vec3 spin)
+{
+    const rigid_frame *f = joined_frame(q, b);
+    bool is_a = b == j->a, is_hinge = j->kind == JOINT_HINGE;
+    bool is_point = j->kind == JOINT_DISTANCE
+                 || (j->kind == JOINT_BALL && j->extra == 0);
+    if (!is_hinge && !is_point) return vec3_length(spin);
+    vec3 axis = is_a ? j->axis_a[0] : j->axis_b[0];
+    real arm = turn_of_way(spin, frame_vector(f, is_a ? j->local_a : j->local_b));
+    return is_hinge ? real_max(arm, turn_of_way(spin, frame_vector(f, axis))) : arm;
+}
+
+// rad/s, to be followed.  A free flywheel turns its axle, so all spin counts for
+// its orbit.  Where something presses, only what it turns of the joint does: a wheel
+// that rolls leaves its axle where it is.  The spin itself is always followed.
+static real pace_of_spin(const linkage_pass *q, const joint *j, bool rubs, int b)
 {
     if (!moves(q->f, b)) return 0;
-    return vec3_length_squared(motion_rotation(basis_of(q->f, b),
-                                               &q->velocity[b]));
+    vec3 spin = motion_rotation(basis_of(q->f, b), &q->velocity[b]);
+    if (!rubs) return TURN_PACE * vec3_length(spin);
+    return real_max(vec3_length(spin), RUBBED * turn_of_held(q, j, b, spin));
 }
 
 static vec3 velocity_of(const linkage_pass *q, int b, vec3 at)
@@ -1323,11 +1347,11 @@ static void break_overloaded(linkage *l, const linkage_pass *q)
         j->force = force_of(j, &l->rows[k], h);
         if (j->is_driven) j->given = j->impulse[l->rows[k].held] / l->rows[k].kick;
         real swing = sqrt(j->force * l->rows[k].swing);
-        real turns = sqrt(real_max(real_max(spin_squared(q, j->a),
-                                            spin_squared(q, j->b)),
-                                   swung_squared(q, j)));
-        real exactly = l->rows[k].rubs ? RUBBED : TURN_PACE;
-        real hung = weighs(&l->rows[k], swing);
+        bool rubs = l->rows[k].rubs;
+        real turns = sqrt(swung_squared(q, j)), hung = weighs(&l->rows[k], swing);
+        swing = real_max(swing, pace_of_spin(q, j, rubs, j->a));
+        swing = real_max(swing, pace_of_spin(q, j, rubs, j->b));
+        real exactly = rubs ? RUBBED : TURN_PACE;
         swing = real_max(swing, exactly * real_max(turns, hung));
         l->rows[k].pace = real_max(l->rows[k].pace, swing);
         l->swing = real_max(l->swing, swing);

@@ -212,6 +212,28 @@ START_TEST(what_lies_asks_for_half_the_substeps_of_what_flies)
 }
 END_TEST
 
+// A box spins on the axle of another one below it, which lies, or flies.
+static int substeps_of_a_turntable(bool lies)
+{
+    begin_awake(lies ? EARTH : 0, 4);
+    if (lies) add_floor();
+    add(box_of(0, vec3_make(1, 0.2, 1), 1), placement_at(vec3_make(0, 0.1, 0)));
+    add_thrown(box_of(1, vec3_make(0.5, 0.2, 0.5), 1), vec3_make(0, 0.4, 0), ZERO,
+               vec3_scale(100, UP));
+    hinge(0, 1, vec3_make(0, 0.3, 0), UP);
+    steps(60);
+    return w.report.substeps;
+}
+
+START_TEST(spin_about_an_axle_that_rests_asks_for_few_substeps)
+{
+    // Rejects: all spin counted, as in free flight, where a flywheel turns its axle.
+    int flies = substeps_of_a_turntable(false), lies = substeps_of_a_turntable(true);
+    ck_assert_int_ge(flies, 20);
+    ck_assert_int_le(lies, 8);
+}
+END_TEST
+
 // The substeps of a frame: a cube of 1 cm hangs at the side of one of 1 m, which
 // falls, or is joined to the world.
 static int substeps_of_a_weight(bool falls)
@@ -962,6 +984,7 @@ int main(void)
         brick_that_tumbles_about_a_point_keeps_its_energy,
         joined_pair_in_free_flight_keeps_its_momenta,
         what_lies_asks_for_half_the_substeps_of_what_flies,
+        spin_about_an_axle_that_rests_asks_for_few_substeps,
         what_falls_has_no_weight_that_asks_for_substeps,
         chain_holds_a_hundred_times_the_weight_of_its_links,
         chain_that_comes_taut_stays_whole,

@@ -72,7 +72,7 @@ static void prepare(void)
     static long found;
     for (int k = 0; k < plain.contacts; k++) table[k].found = ++found;
     const contact *const *of = (const contact *const *)list;
-    if (!solver_look(&solver, &frame, of, reach, plain.contacts)
+    if (!solver_activate(&solver, &frame, of, reach, plain.contacts)
         || !solver_prepare(&solver, &frame, of)) exit(1);
 }
 

@@ -93,7 +93,7 @@ static void tower_put(tower *t)
     for (int b = 0; b < t->cubes; b++) {
         solver_body *x = &t->body[b];
         motion_straighten(&t->rigid[b], &x->frame);
-        motion_put(t->p[b], &x->frame, &x->basis, &t->velocity[b], t->frame.h);
+        motion_write(t->p[b], &x->frame, &x->basis, &t->velocity[b], t->frame.h);
     }
 }
 

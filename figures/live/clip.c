@@ -7,7 +7,7 @@
 // The library's own, so that it can be asked case by case.
 #define manifold_find clip_find
 #define manifold_on_plane clip_on_plane
-#define face_looks clip_looks
+#define face_is_along clip_looks
 #define face_area clip_area
 #include "../../lib/query/manifold.c"
 

@@ -109,7 +109,7 @@ void aabb_tree_build(aabb_tree *t)
     build_below(t, 1, 0, t->leaves);
 }
 
-void aabb_tree_put(aabb_tree *t, int k)
+void aabb_tree_update(aabb_tree *t, int k)
 {
     int leaf = k / A_LEAF;
     box_leaf(t, leaf);

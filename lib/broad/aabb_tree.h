@@ -71,7 +71,7 @@ void aabb_tree_build(aabb_tree *t);
 
 // t->around[k] has changed, or thing k is new and the last: the boxes above it
 // follow.
-void aabb_tree_put(aabb_tree *t, int k);
+void aabb_tree_update(aabb_tree *t, int k);
 
 static inline int aabb_tree_end(const aabb_tree *t, int leaf)
 {

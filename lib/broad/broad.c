@@ -100,7 +100,7 @@ static void plant(broad *s, const sphere *ball)
     for (int k = 0; k < t->things; k++) s->place[t->number[k]] = k;
 }
 
-bool broad_put(broad *s, const sphere *ball, int b)
+bool broad_update(broad *s, const sphere *ball, int b)
 {
     aabb_tree *t = &s->tree;
     bool is_new = s->place[b] < 0;
@@ -109,7 +109,7 @@ bool broad_put(broad *s, const sphere *ball, int b)
     int k = s->place[b];
     t->around[k] = ball_is_empty(ball[b]) ? aabb_empty() : box_of_ball(ball[b]);
     t->number[k] = b;
-    aabb_tree_put(t, k);
+    aabb_tree_update(t, k);
     return true;
 }
 //<

@@ -47,7 +47,7 @@ int broad_pairs(broad *s, const sphere *ball, const char *moves,
 
 // Tells the tree that ball b has changed, or is new.  Returns false if it is new
 // and the tree has no room for it.
-bool broad_put(broad *s, const sphere *ball, int b);
+bool broad_update(broad *s, const sphere *ball, int b);
 
 // Adds to out, where there are `found` pairs already, those of body b, in any
 // order.  A pair of two that are both in is_asked is left to the lower one.  Returns

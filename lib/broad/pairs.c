@@ -85,7 +85,7 @@ static void settle_listed(pair_list *l, const pair_query *q)
 }
 
 // Which planes is each ball near?  Returns how many, stored or not.
-static int find_walls(pair_list *l, const pair_query *q)
+static int find_plane_pairs(pair_list *l, const pair_query *q)
 {
     int n = 0, bodies = l->is_whole ? l->bodies : l->looses;
     for (int i = 0; i < bodies; i++) {
@@ -96,7 +96,7 @@ static int find_walls(pair_list *l, const pair_query *q)
             real height = vec3_dot(q->plane[k].normal, ball.center)
                         - q->plane[k].offset;
             if (height > ball.radius) continue;
-            if (n < l->wall_capacity) {
+            if (n < l->plane_capacity) {
                 l->wall[n][0] = b;
                 l->wall[n][1] = k;
             }
@@ -106,13 +106,13 @@ static int find_walls(pair_list *l, const pair_query *q)
     return n;
 }
 
-static void list_walls(pair_list *l, const pair_query *q, int *lost)
+static void list_plane_pairs(pair_list *l, const pair_query *q, int *lost)
 {
-    int walls = find_walls(l, q);
-    if (walls > l->wall_capacity
-        && TABLE_RENEW(l->wall, l->wall_capacity, walls))
-        walls = find_walls(l, q);
-    l->walls = int_min(walls, l->wall_capacity);
+    int walls = find_plane_pairs(l, q);
+    if (walls > l->plane_capacity
+        && TABLE_RENEW(l->wall, l->plane_capacity, walls))
+        walls = find_plane_pairs(l, q);
+    l->walls = int_min(walls, l->plane_capacity);
     *lost += walls - l->walls;
     l->is_cut = *lost > 0;
     l->has_new = false;
@@ -126,7 +126,7 @@ static void list_all(pair_list *l, const pair_query *q, int *lost)
         n = broad_pairs(&l->broad, l->listed, q->moves, l->pair, l->capacity);
     l->count = int_min(n, l->capacity);
     *lost = n - l->count;
-    list_walls(l, q, lost);
+    list_plane_pairs(l, q, lost);
     settle_listed(l, q);
     l->is_due = false;
 }
@@ -142,7 +142,7 @@ static int find_fresh(pair_list *l, const pair_query *q)
     return n;
 }
 
-static void drop_old(pair_list *l)
+static void drop_stale_pairs(pair_list *l)
 {
     int kept = 0;
     for (int k = 0; k < l->count; k++) {
@@ -175,7 +175,7 @@ static void list_some(pair_list *l, const pair_query *q, int *lost)
         n = find_fresh(l, q);
     int found = int_min(n, l->fresh_capacity);
     broad_order(l->fresh, found);
-    drop_old(l);
+    drop_stale_pairs(l);
     bool ok = true;
     if (l->count + found > room) {
         room = l->count + found + found / 2;
@@ -185,7 +185,7 @@ static void list_some(pair_list *l, const pair_query *q, int *lost)
     found = int_min(found, l->capacity - l->count);
     merge(l, found);
     *lost = n - found;
-    list_walls(l, q, lost);
+    list_plane_pairs(l, q, lost);
 }
 
 // Those that are new are given larger balls.
@@ -204,7 +204,7 @@ static bool place_new(pair_list *l)
     bool fits = true;
     for (int k = 0; k < l->looses && fits; k++)
         if (l->is_new[l->loose[k]])
-            fits = broad_put(&l->broad, l->listed, l->loose[k]);
+            fits = broad_update(&l->broad, l->listed, l->loose[k]);
     return fits;
 }
 

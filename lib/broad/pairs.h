@@ -35,7 +35,7 @@ typedef struct {
     int  (*pair)[2];    // a < b, sorted by a, then by b
     int  count, capacity;
     int  (*wall)[2];    // what moves, and a plane's number; sorted likewise
-    int  walls, wall_capacity;
+    int  walls, plane_capacity;
     long lists;         // how often they were found
     bool is_cut;        // some found no memory: the list does not hold
 
@@ -60,7 +60,7 @@ typedef struct {
 #define PAIR_TABLES(KEPT, ROOM, l)                                            \
     KEPT(listed, (l)->bodies, (l)->room) KEPT(is_new, (l)->bodies, (l)->room) \
     KEPT(is_settled, 0, (l)->room) ROOM(loose, 0, (l)->room)                  \
-    ROOM(pair, 0, (l)->capacity) ROOM(wall, 0, (l)->wall_capacity)            \
+    ROOM(pair, 0, (l)->capacity) ROOM(wall, 0, (l)->plane_capacity)            \
     ROOM(fresh, 0, (l)->fresh_capacity)
 //<
 

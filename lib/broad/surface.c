@@ -23,7 +23,7 @@ static void overlap(real low, real high, real way, real from, real to,
 }
 
 // The share of the way after which q's box meets b; HUGE_VAL: never.
-static real box_way(const surface_query *q, const aabb *b)
+static real box_time_of_impact(const surface_query *q, const aabb *b)
 {
     const aabb *t = &q->thing;
     real begin = 0, end = 1;
@@ -50,7 +50,7 @@ static real distance_to(const surface_query *q, const aabb *b)
 
 static real reaches(const surface_query *q, const aabb *b)
 {
-    return q->by_distance ? distance_to(q, b) : box_way(q, b);
+    return q->by_distance ? distance_to(q, b) : box_time_of_impact(q, b);
 }
 //<
 
@@ -153,7 +153,7 @@ plane surface_plane(const surface *s, int triangle)
 }
 
 // Point p, from where the way begins, seen along it.
-static void see_along(vec3 way, vec3 p, real seen[2])
+static void project_along(vec3 way, vec3 p, real seen[2])
 {
     const real d[3] = { way.x, way.y, way.z }, at[3] = { p.x, p.y, p.z };
     int k = fabs(d[0]) > fabs(d[1]) ? 0 : 1;
@@ -174,7 +174,7 @@ real surface_entry(const surface *s, int triangle, vec3 from, vec3 to)
     bool is_left = true, is_right = true;
     if (!(over >= 0 && under > 0)) return HUGE_VAL;
     for (int i = 0; i < 3; i++)
-        see_along(way, vec3_sub(s->point[v[i]], from), seen[i]);
+        project_along(way, vec3_sub(s->point[v[i]], from), seen[i]);
     for (int i = 0; i < 3; i++) {
         const real *a = seen[i], *b = seen[(i + 1) % 3];
         real side = a[0] * b[1] - a[1] * b[0];
@@ -218,7 +218,7 @@ real surface_entry_below(const surface *s, int triangle, vec3 from, vec3 to,
 //> surface-ask
 //>   The nearer of two boxes is asked first, so that what it holds may leave out
 //>   the other.
-static void ask_leaf(surface_query *q, const aabb_tree *t, int leaf)
+static void query_leaf(surface_query *q, const aabb_tree *t, int leaf)
 {
     for (int k = leaf * A_LEAF; k < aabb_tree_end(t, leaf); k++)
         if (reaches(q, &t->around[k]) <= q->most)
@@ -226,23 +226,23 @@ static void ask_leaf(surface_query *q, const aabb_tree *t, int leaf)
 }
 
 // Box k, which begins there.  It calls itself no deeper than an int has bits.
-static void ask_boxes(surface_query *q, const aabb_tree *t, int k, real begins)
+static void query_boxes(surface_query *q, const aabb_tree *t, int k, real begins)
 {
     if (!(begins <= q->most)) return;
     if (k >= t->leaves) {
-        ask_leaf(q, t, k - t->leaves);
+        query_leaf(q, t, k - t->leaves);
         return;
     }
     real one = reaches(q, &t->node[2 * k]);
     real other = reaches(q, &t->node[2 * k + 1]);
     bool is_one_first = one <= other;
-    ask_boxes(q, t, 2 * k + !is_one_first, is_one_first ? one : other);
-    ask_boxes(q, t, 2 * k + is_one_first, is_one_first ? other : one);
+    query_boxes(q, t, 2 * k + !is_one_first, is_one_first ? one : other);
+    query_boxes(q, t, 2 * k + is_one_first, is_one_first ? other : one);
 }
 
-void surface_ask(const surface *s, surface_query *q)
+void surface_visit(const surface *s, surface_query *q)
 {
-    ask_boxes(q, &s->prisms, 1, reaches(q, &s->prisms.node[1]));
+    query_boxes(q, &s->prisms, 1, reaches(q, &s->prisms.node[1]));
 }
 //<
 
@@ -259,7 +259,7 @@ typedef struct {
     real share;             // of the way to what is behind
 } look_behind;
 
-static real see_behind(void *context, int triangle)
+static real measure_behind(void *context, int triangle)
 {
     look_behind *l = context;
     const int *v = l->s->triangle[triangle];
@@ -287,7 +287,7 @@ static real depth_of(const surface *s, int triangle)
     vec3 middle = middle_of(s, v), n = vec3_unit(normal_of(s, v));
     look_behind l = { s, triangle, { { 0, 0, 0 } },
                       vec3_scale(-2 * s->thickness, n), 1 };
-    surface_query q = { .thing = aabb_empty(), .most = 1, .meets = see_behind,
+    surface_query q = { .thing = aabb_empty(), .most = 1, .meets = measure_behind,
                         .context = &l };
     for (int k = 0; k < LOOKS; k++) {
         vec3 x = middle;
@@ -297,7 +297,7 @@ static real depth_of(const surface *s, int triangle)
         q.thing = aabb_join(q.thing, (aabb){ l.from[k], l.from[k] });
         q.thing = aabb_join(q.thing, (aabb){ to, to });
     }
-    surface_ask(s, &q);
+    surface_visit(s, &q);
     real thinnest = real_max(0.01 * s->thickness,
                              2 * THIN_FACE * sides_of(s, v).most);
     return real_min(real_max(s->thickness * l.share, thinnest), s->thickness);

@@ -79,7 +79,7 @@ status surface_shape(const surface *s, int triangle, shape *made,
                      vec3 *center);
 
 // Calls q->meets for all triangles asked for, the nearer boxes first.
-void   surface_ask(const surface *s, surface_query *q);
+void   surface_visit(const surface *s, surface_query *q);
 
 #endif
 //<

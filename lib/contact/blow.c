@@ -158,7 +158,7 @@ void blow_stop(contact_solver *s, const solver_frame *f, motion *velocity)
             add_lane(&w, k, l);
             do {
                 impact_stop(&w.set);
-                impact_give(&w.set, velocity);
+                impact_apply(&w.set, velocity);
             } while (spread(&w));
             keep_blow(&w);
         }

@@ -29,7 +29,7 @@ void cache_update(contact_cache *c, const cache_frame *f)
     tasks_run(f->run, decide_chunk, &u, items);
     make_entries(c, f);
     tasks_run(f->run, query_chunk, &u, items);
-    seams_mend(c, f);
+    seams_correct(c, f);
     gather_active(c, f);
 }
 //<
@@ -129,7 +129,7 @@ static int count_settled(const cache_list *l, const pair_list *list, int bodies)
 }
 
 // And pairs of which nothing is loose leave the list, with what is kept of them.
-static void put_aside(contact_cache *c, cache_list *l, cache_list *still,
+static void set_aside(contact_cache *c, cache_list *l, cache_list *still,
                       const pair_list *list, int bodies)
 {
     int left = 0, aside = count_settled(l, list, bodies);
@@ -152,11 +152,11 @@ static void follow_lists(contact_cache *c, const cache_frame *f)
 {
     bool is_whole = f->list->is_whole;
     if (is_whole) take_back_pairs(c, &c->pairs, &c->still_pairs);
-    if (is_whole) take_back_pairs(c, &c->walls, &c->still_walls);
+    if (is_whole) take_back_pairs(c, &c->walls, &c->static_planes);
     follow_list(c, &c->pairs, f->list->pair, f->list->count);
     follow_list(c, &c->walls, f->list->wall, f->list->walls);
-    if (is_whole) put_aside(c, &c->pairs, &c->still_pairs, f->list, 2);
-    if (is_whole) put_aside(c, &c->walls, &c->still_walls, f->list, 1);
+    if (is_whole) set_aside(c, &c->pairs, &c->still_pairs, f->list, 2);
+    if (is_whole) set_aside(c, &c->walls, &c->static_planes, f->list, 1);
 }
 //<
 
@@ -574,8 +574,8 @@ static void query_bodies(contact_cache *c, const cache_frame *f, cache_pair *p,
 }
 
 // A plane needs no search: it is a face below the lowest vertex.
-static void query_wall(contact_cache *c, const cache_frame *f, cache_pair *p,
-                       contact *now)
+static void query_plane_pair(contact_cache *c, const cache_frame *f, cache_pair *p,
+                             contact *now)
 {
     int a = now->piece_a;
     plane wall = f->plane[-1 - now->piece_b];
@@ -594,7 +594,7 @@ static void query_pair(contact_cache *c, const cache_frame *f, cache_pair *p)
     bool bequeaths = p->count > 0;
     if (bequeaths) was = *now;
     p->near = -HUGE_VAL;
-    if (now->piece_b < 0) query_wall(c, f, p, now);
+    if (now->piece_b < 0) query_plane_pair(c, f, p, now);
     else                  query_bodies(c, f, p, e);
     p->count = (signed char)now->count;
     p->is_merged = false;
@@ -696,7 +696,7 @@ static void query_again(contact_cache *c, const cache_frame *f, cache_pair *p)
         return;
     }
     const contact was = *now;
-    seams_ask_floor(c, f, p);
+    seams_query_floor(c, f, p);
     p->near = -HUGE_VAL;
     contact_inherit(now, &was);
 }
@@ -769,7 +769,7 @@ status cache_add(contact_cache *c, int b, int vertices)
 void cache_free(contact_cache *c)
 {
     cache_list *list[] = { &c->pairs, &c->walls, &c->still_pairs,
-                           &c->still_walls };
+                           &c->static_planes };
     for (int k = 0; k < 4; k++) {
         free(list[k]->pair);
         free(list[k]->spare);
@@ -807,12 +807,12 @@ void cache_forget(contact_cache *c, const int *b, int n)
     clear_unplaced(c, &c->pairs, 2);
     clear_unplaced(c, &c->walls, 1);
     clear_unplaced(c, &c->still_pairs, 2);
-    clear_unplaced(c, &c->still_walls, 1);
+    clear_unplaced(c, &c->static_planes, 1);
 }
 
 void cache_forget_plane(contact_cache *c, int wall)
 {
-    cache_list *list[] = { &c->walls, &c->still_walls };
+    cache_list *list[] = { &c->walls, &c->static_planes };
     for (int i = 0; i < 2; i++)
         for (int k = 0; k < list[i]->count; k++)
             if (list[i]->pair[k].key[1] == wall) drop_kept(c, &list[i]->pair[k]);

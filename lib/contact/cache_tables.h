@@ -89,7 +89,7 @@ typedef struct {
 
 typedef struct {
     cache_list pairs, walls;    // of the pairs that are listed
-    cache_list still_pairs, still_walls;        // of which nothing is loose
+    cache_list still_pairs, static_planes;      // of which nothing is loose
     cache_entry *entry;
     contact     *was;           // [entries] what those on a floor carried before
                                 // they were asked again in this frame

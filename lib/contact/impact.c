@@ -94,7 +94,7 @@ static bool factor_set(impact_set *w)
 
 // Goes from the impulses that there are towards those of the set, as far as
 // none of them pulls; one that would is dropped.  True if that was all the way.
-static bool go_to_set(impact_set *w)
+static bool step_to_set(impact_set *w)
 {
     real share = 1;
     int least = -1, kept = 0;
@@ -139,12 +139,12 @@ void impact_stop(impact_set *w)
         if (next < 0 || w->count == IMPACT_ROWS) return;
         w->set[w->count++] = next;
         do stops = factor_set(w);
-        while (stops && !go_to_set(w));
+        while (stops && !step_to_set(w));
         if (!stops) w->count = w->good;
     }
 }
 
-void impact_give(impact_set *w, motion *velocity)
+void impact_apply(impact_set *w, motion *velocity)
 {
     for (int i = 0; i < w->rows; i++) {
         impact_push(&w->row[i], w->impulse[i] - w->given[i], velocity);

@@ -59,7 +59,7 @@ void impact_add(impact_set *w, const impact_row *r, real parting);
 void impact_stop(impact_set *w);
 
 // The velocities get what impulses have changed by since they were given last.
-void impact_give(impact_set *w, motion *velocity);
+void impact_apply(impact_set *w, motion *velocity);
 //<
 
 //> impact-end-of-header

@@ -257,15 +257,15 @@ static inline void take_arms(const contact_solver *s, const block *k,
     find_arms(k, raw);
 }
 
-static void see_gaps_of(const contact_solver *s, block *k,
-                        const solver_frame *f, raw_block *raw)
+static void update_gaps_of(const contact_solver *s, block *k,
+                           const solver_frame *f, raw_block *raw)
 {
     take_arms(s, k, f, raw, false);
     find_gaps(k, raw);
 }
 
-static bool lane_lies(const solver_frame *f, const contact_solver *s, const block *k,
-                      int lane, int b)
+static bool lane_rests(const solver_frame *f, const contact_solver *s,
+                       const block *k, int lane, int b)
 {
     return f->lying && k->contact[lane] >= 0 && b != s->room
         && f->is_elsewhere[b] == LIES;
@@ -273,7 +273,7 @@ static bool lane_lies(const solver_frame *f, const contact_solver *s, const bloc
 
 // Do all bodies lie, with all gaps closed?  Then nothing that rows are made of
 // changes, in this frame or the next.
-static bool all_lies(const contact_solver *s, const block *k,
+static bool all_rest(const contact_solver *s, const block *k,
                      const solver_frame *f)
 {
     const real4 one = real4_all(1), zero = real4_all(0);
@@ -281,8 +281,8 @@ static bool all_lies(const contact_solver *s, const block *k,
     if (!f->lying) return false;
     for (int l = 0; l < REAL4; l++) {
         if (k->contact[l] < 0) continue;
-        if (!lane_lies(f, s, k, l, k->a[l])) return false;
-        if (k->two && !lane_lies(f, s, k, l, k->b[l])) return false;
+        if (!lane_rests(f, s, k, l, k->a[l])) return false;
+        if (k->two && !lane_rests(f, s, k, l, k->b[l])) return false;
     }
     for (int j = 0; j < k->points; j++) {
         real4 gap = real4_mul(k->point[j].gap, k->per_near);
@@ -313,12 +313,12 @@ static void stand_block(const contact_solver *s, block *k, const solver_frame *f
                         raw_block *raw)
 {
     const motion_basis *a[REAL4], *b[REAL4];
-    see_gaps_of(s, k, f, raw);
+    update_gaps_of(s, k, f, raw);
     for (int l = 0; l < REAL4; l++) {
         a[l] = &a_of(k, f, l)->basis;
         b[l] = &b_of(s, k, f, l)->basis;
-        if (lane_lies(f, s, k, l, k->a[l])) a[l] = &f->lying[k->a[l]];
-        if (lane_lies(f, s, k, l, k->b[l])) b[l] = &f->lying[k->b[l]];
+        if (lane_rests(f, s, k, l, k->a[l])) a[l] = &f->lying[k->a[l]];
+        if (lane_rests(f, s, k, l, k->b[l])) b[l] = &f->lying[k->b[l]];
     }
     take_turns(&raw->a, a);
     if (k->two) take_turns(&raw->b, b);
@@ -457,7 +457,7 @@ static void make_rows_of(const contact_solver *s, block *k,
     if (k->two) make_rows_at(k, &raw, true);
     else make_rows_at(k, &raw, false);
     k->is_stale = false;
-    k->lies = all_lies(s, k, f);
+    k->lies = all_rest(s, k, f);
 }
 
 static void fill_block(void *data, int number)
@@ -503,8 +503,8 @@ static void keep_block(const preparation *p, int number)
     raw_block raw;
     set_material(p, k);
     if (k->lies) {
-        see_gaps_of(p->s, k, p->f, &raw);
-        if (all_lies(p->s, k, p->f)) return;
+        update_gaps_of(p->s, k, p->f, &raw);
+        if (all_rest(p->s, k, p->f)) return;
     }
     make_rows_of(p->s, k, p->f);
 }
@@ -563,7 +563,7 @@ static void renew_block(contact_solver *s, block *k, const solver_frame *f)
         make_rows_of(s, k, f);
         return;
     }
-    see_gaps_of(s, k, f, &raw);
+    update_gaps_of(s, k, f, &raw);
     k->is_stale = true;
     k->lies = false;
 }

@@ -233,7 +233,7 @@ static bool goes_freely(const impact_solver *s, int body)
 }
 
 // Where a body is at a time t (s), and how it goes there.
-static void go_to(impact *x, const impact_solver *s, int side, int b, real t)
+static void predict_at(impact *x, const impact_solver *s, int side, int b, real t)
 {
     motion d = s->moved[b], *u = &x->u[side];
     const solver_body *now = &s->body[b];
@@ -267,7 +267,7 @@ static void face_each_other(contact *c, const rigid_frame at[BODIES])
         c->normal = vec3_unit(vec3_sub(at[A].center, at[B].center));
 }
 
-static vec3 comes_to(const solver_frame *f, int b, const motion *u,
+static vec3 predicted_center(const solver_frame *f, int b, const motion *u,
                    const motion *moved)
 {
     vec3 way = { moved->of[0] + f->h * u->of[0], moved->of[1] + f->h * u->of[1],
@@ -279,8 +279,8 @@ bool restitution_face(contact *c, const solver_frame *f,
                       const motion *velocity, const motion *moved)
 {
     if (!are_balls(c)) return false;
-    vec3 a = comes_to(f, c->a, &velocity[c->a], &moved[c->a]);
-    vec3 b = comes_to(f, c->b, &velocity[c->b], &moved[c->b]);
+    vec3 a = predicted_center(f, c->a, &velocity[c->a], &moved[c->a]);
+    vec3 b = predicted_center(f, c->b, &velocity[c->b], &moved[c->b]);
     c->normal = vec3_unit(vec3_sub(a, b));
     return true;
 }
@@ -290,8 +290,8 @@ bool restitution_face(contact *c, const solver_frame *f,
 static void stand_at(impact *x, const impact_solver *s, real t, arms_of *of)
 {
     const contact *c = x->found;
-    go_to(x, s, A, c->a, t * s->f->h);
-    if (c->b >= 0) go_to(x, s, B, c->b, t * s->f->h);
+    predict_at(x, s, A, c->a, t * s->f->h);
+    if (c->b >= 0) predict_at(x, s, B, c->b, t * s->f->h);
     face_each_other(&x->c, x->at);
     for (int k = 0; k < c->count; k++)
         x->arm[k] = of(&x->c, k, &x->at[A], c->b < 0 ? NULL : &x->at[B]);
@@ -400,7 +400,7 @@ static void push_impact(impact *x, real restitution)
     }
     real scale = bend > 0 ? (1 + restitution) * real_max(down / bend, 0) : 0;
     for (int i = 0; i < w->rows; i++) w->impulse[i] *= scale;
-    impact_give(w, x->u);
+    impact_apply(w, x->u);
 }
 //<
 

@@ -33,7 +33,7 @@
 // when they touch, the angular momentum.  Numbers that are not finite strike
 // nothing.
 //
-// To be called before solver_warm; and if there were any, solver_see_gaps must
+// To be called before solver_warm; and if there were any, solver_update_gaps must
 // follow: bodies that part after an impact are not held by the solver.
 int restitution_solve(const contact *const *table, int n, const solver_frame *f,
                       solver_body *body, motion *velocity, motion *moved);

@@ -44,7 +44,7 @@ static vec3 normal_to(const slider *s, const contact *t)
 }
 
 // Its contact seen from A.  (A guard is no point of touch.)
-static void see_side(const slider *s, side *x)
+static void find_side_points(const slider *s, side *x)
 {
     const contact *t = x->contact;
     bool is_a = t->piece_a == s->a;
@@ -183,12 +183,12 @@ static bool is_behind_any(const slider *s, const side *b)
 //> seams-along
 //>   A contact that is found again is one along a given normal.
 // The point of a face of x that looks along m, over or under p.
-static bool find_foot(const collider *x, vec3 m, vec3 p, feature_point *foot)
+static bool project_on_face(const collider *x, vec3 m, vec3 p, feature_point *foot)
 {
     for (int k = 0; k < x->shape->mesh.faces; k++) {
         const int *v = &x->shape->face[3 * k];
         real w[3], sum = 0;
-        if (!face_looks(x->shape, x->at, k, m)) continue;
+        if (!face_is_along(x->shape, x->at, k, m)) continue;
         for (int i = 0; i < 3; i++) {
             vec3 e = vec3_sub(x->at[v[(i + 1) % 3]], p);
             vec3 g = vec3_sub(x->at[v[(i + 2) % 3]], p);
@@ -214,8 +214,10 @@ static manifold touches_along(const collider *a, const collider *b, vec3 m,
                                   { 1, { tip_b }, { 1 } }, 0 } };
     feature_point foot;
     bool is_over = true;
-    if (find_foot(b, m, a->at[tip_a], &foot))                       r.at.b = foot;
-    else if (find_foot(a, vec3_scale(-1, m), b->at[tip_b], &foot))  r.at.a = foot;
+    if (project_on_face(b, m, a->at[tip_a], &foot))
+        r.at.b = foot;
+    else if (project_on_face(a, vec3_scale(-1, m), b->at[tip_b], &foot))
+        r.at.a = foot;
     else is_over = b->shape->particles == 1;
     vec3 apart = vec3_sub(feature_at(&r.at.a, a->at), feature_at(&r.at.b, b->at));
     r.at.gap = vec3_dot(m, apart) - query_round(a, b);
@@ -277,7 +279,7 @@ static void take_manifold(const slider *s, side *x, const manifold *m)
 {
     contact *t = x->contact;
     cache_take(t, m, s->f, false);
-    see_side(s, x);
+    find_side_points(s, x);
     contact_clear(t);
     carry_load(s, x, &s->c->was[x->pair->entry], CONTACT_SAME);
 }
@@ -344,7 +346,7 @@ static void drop(side *x)
     x->pair->is_active = false;
 }
 
-static void mend_side(const slider *s, side *x)
+static void correct_side(const slider *s, side *x)
 {
     vec3 n;
     if (find_holder(s, x, &n)) {
@@ -357,7 +359,7 @@ static void mend_side(const slider *s, side *x)
 
 // First all that is hidden is found, then mended: no side hides another that is
 // hidden itself, whatever their order.
-static void mend_sides(slider *s)
+static void correct_sides(slider *s)
 {
     for (int i = 0; i < s->sides; i++) {
         side *x = &s->side[i];
@@ -366,7 +368,7 @@ static void mend_sides(slider *s)
     }
     for (int i = 0; i < s->sides; i++)
         if (s->side[i].is_hidden)
-            mend_side(s, &s->side[i]);
+            correct_side(s, &s->side[i]);
 }
 //<
 
@@ -405,7 +407,7 @@ static bool is_over(const slider *s, const int *of, int n, vec3 p)
     for (int i = 0; i < n; i++) {
         const side *y = &s->side[of[i]];
         collider piece = cache_collider(s->c, s->f, y->b);
-        if (find_foot(&piece, y->n, p, &foot)) return true;
+        if (project_on_face(&piece, y->n, p, &foot)) return true;
     }
     return false;
 }
@@ -435,7 +437,7 @@ static void take_plane(const slider *s, side *x, const manifold *m)
     x->pair->count = (signed char)t->count;
 }
 
-void seams_ask_floor(contact_cache *c, const cache_frame *f, cache_pair *p)
+void seams_query_floor(contact_cache *c, const cache_frame *f, cache_pair *p)
 {
     contact *t = &c->entry[p->entry].contact;
     slider s = { .c = c, .f = f, .a = seams_slider(f, t->piece_a, t->piece_b) };
@@ -536,7 +538,7 @@ static bool find_lowest(const slider *s, const side *x, int k, vec3 m,
                                 contact_reach(s, x->contact),
                                 s->f->ahead[s->a].angle);
     for (int i = 0; i < lowest->count; i++)
-        if (!find_foot(&b, m, feature_at(&lowest->point[i].a, a.at), &foot))
+        if (!project_on_face(&b, m, feature_at(&lowest->point[i].a, a.at), &foot))
             return false;
     return lowest->count > 0;
 }
@@ -671,7 +673,7 @@ static void add_side(slider *s, int k)
                  .n = normal_to(s, t) };
 }
 
-static void mend_slider(slider *s)
+static void correct_slider(slider *s)
 {
     contact_cache *c = s->c;
     int is_new = 0;
@@ -682,14 +684,14 @@ static void mend_slider(slider *s)
         if (s->side[i].is_new) straighten(s, &s->side[i]);
     }
     if (!is_new || s->sides < 2) return;
-    for (int i = 0; i < s->sides; i++) see_side(s, &s->side[i]);
-    mend_sides(s);
+    for (int i = 0; i < s->sides; i++) find_side_points(s, &s->side[i]);
+    correct_sides(s);
     merge_floors(s);
 }
 
 // What lies on many parts of a surface has more sides than others have room for.
 // Where memory is refused, it has as many as they.
-static void mend_large(slider *s, int sides)
+static void correct_large(slider *s, int sides)
 {
     int room = int_min(sides, MOST_SIDES);
     side *more = malloc((size_t)room * sizeof *more);
@@ -699,30 +701,30 @@ static void mend_large(slider *s, int sides)
         s->of = of;
         s->room = room;
     }
-    mend_slider(s);
+    correct_slider(s);
     free(more);
     free(of);
 }
 
-static void mend_body(contact_cache *c, const cache_frame *f, int a)
+static void correct_body_seams(contact_cache *c, const cache_frame *f, int a)
 {
     side few[FEW_SIDES];
     int of[FEW_SIDES], sides = c->last[a] - c->first[a];
     slider s = { c, f, a, 0, FEW_SIDES, few, of };
     if (sides == 0 || !f->moves[a]) return;
-    if (f->has_parts && sides > FEW_SIDES) mend_large(&s, sides);
-    else mend_slider(&s);
+    if (f->has_parts && sides > FEW_SIDES) correct_large(&s, sides);
+    else correct_slider(&s);
 }
 
-static void mend_chunk(void *data, int item)
+static void correct_chunk(void *data, int item)
 {
     const cache_work *m = data;
     int end = task_end(item, m->f->awakes);
     for (int k = task_first(item); k < end; k++)
-        mend_body(m->c, m->f, m->f->awake[k]);
+        correct_body_seams(m->c, m->f, m->f->awake[k]);
 }
 
-void seams_mend(contact_cache *c, const cache_frame *f)
+void seams_correct(contact_cache *c, const cache_frame *f)
 {
     cache_work m = { c, f };
     bool is_any = false;
@@ -735,6 +737,6 @@ void seams_mend(contact_cache *c, const cache_frame *f)
         return;
     }
     find_lists(c, f);
-    tasks_run(f->run, mend_chunk, &m, task_chunks(f->awakes));
+    tasks_run(f->run, correct_chunk, &m, task_chunks(f->awakes));
 }
 //<

@@ -24,11 +24,11 @@ int seams_slider(const cache_frame *f, int a, int b);
 // on where bodies are, and how they move, in this frame: not on an order, and not
 // on the past.  For want of memory nothing is mended, and c->lost counts one
 // more.
-void seams_mend(contact_cache *c, const cache_frame *f);
+void seams_correct(contact_cache *c, const cache_frame *f);
 
 // A contact that was found with the plane of a floor (is_floor) is found again within
 // the frame: with that plane.
-void seams_ask_floor(contact_cache *c, const cache_frame *f, cache_pair *p);
+void seams_query_floor(contact_cache *c, const cache_frame *f, cache_pair *p);
 
 #endif
 //<

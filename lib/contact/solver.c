@@ -243,8 +243,8 @@ static bool make_blocks(contact_solver *s, preparation *p)
     return true;
 }
 
-bool solver_look(contact_solver *s, const solver_frame *f,
-                 const contact *const *table, const real *reach, int n)
+bool solver_activate(contact_solver *s, const solver_frame *f,
+                     const contact *const *table, const real *reach, int n)
 {
     preparation p = { .s = s, .f = f, .table = table, .reach = reach };
     if (!make_solver_room(s, n)) {
@@ -324,8 +324,8 @@ void solver_renew(contact_solver *s, const solver_frame *f)
               task_items(s->blocks, FEW_BLOCKS));
 }
 
-void solver_see_gaps(contact_solver *s, const solver_frame *f,
-                     const motion *moved)
+void solver_update_gaps(contact_solver *s, const solver_frame *f,
+                        const motion *moved)
 {
     run_pass(s, f, NULL, moved, passes_best()->see);
 }
@@ -476,7 +476,7 @@ static bool has_new(const contact_solver *s, const block *k)
     return some;
 }
 
-static void give_blocks(contact_solver *s, contact *const *table, bool are_new)
+static void write_blocks(contact_solver *s, contact *const *table, bool are_new)
 {
     for (int n = 0; n < s->blocks; n++) {
         const block *x = &s->block[n];
@@ -484,9 +484,9 @@ static void give_blocks(contact_solver *s, contact *const *table, bool are_new)
     }
 }
 
-void solver_give_new(contact_solver *s, contact *const *table)
+void solver_store_new(contact_solver *s, contact *const *table)
 {
-    give_blocks(s, table, true);
+    write_blocks(s, table, true);
 }
 
 // Has each of its contacts points enough in it?
@@ -515,7 +515,7 @@ bool solver_take_new(contact_solver *s, const solver_frame *f,
     }
     for (int n = 0; n < s->blocks; n++) fits &= has_room(s, &s->block[n]);
     if (!fits) {
-        give_blocks(s, table, false);
+        write_blocks(s, table, false);
         return solver_prepare(s, &here, p.table);
     }
     for (int n = 0; n < s->blocks; n++)

@@ -20,23 +20,23 @@ void   solver_free(contact_solver *s);      // an empty or zeroed one is fine
 // other, and what they carried, in s->active.  (Of the frame it needs no h.)
 // Allocates only if there are more contacts than ever before; where memory is
 // refused it takes none, and returns false.
-bool solver_look(contact_solver *s, const solver_frame *f,
-                 const contact *const *table, const real *reach, int n);
+bool solver_activate(contact_solver *s, const solver_frame *f,
+                     const contact *const *table, const real *reach, int n);
 
 // From now on only contacts `first` to before `end` of the table are solved: no
 // body that moves has contacts among them and among the others.
 void solver_take(contact_solver *s, int first, int end);
 
-// Makes their blocks.  Allocates, and fails, as solver_look does.
+// Makes their blocks.  Allocates, and fails, as solver_activate does.
 bool solver_prepare(contact_solver *s, const solver_frame *f,
                     const contact *const *table);
 
 // Between two substeps, for contacts that are found again: active[k].is_new says
 // which.  First their blocks give the impulses back to the contacts.
-void solver_give_new(contact_solver *s, contact *const *table);
+void solver_store_new(contact_solver *s, contact *const *table);
 // Then they are looked at, and their blocks filled again; all blocks are made
 // again where one has no room for more points.  Allocates, and fails, as
-// solver_look does.
+// solver_activate does.
 bool solver_take_new(contact_solver *s, const solver_frame *f,
                      contact *const *table, const real *reach);
 
@@ -61,8 +61,8 @@ void solver_renew(contact_solver *s, const solver_frame *f);
 void solver_relax(contact_solver *s, const solver_frame *f, motion *velocity,
                   const motion *moved);
 // After impacts, before solver_warm: `moved` has changed, and with it the gaps.
-void solver_see_gaps(contact_solver *s, const solver_frame *f,
-                     const motion *moved);
+void solver_update_gaps(contact_solver *s, const solver_frame *f,
+                        const motion *moved);
 // Before a substep that may have to be done again; and to do it again: the
 // impulses are what they were.
 void solver_mark(contact_solver *s);

@@ -11,7 +11,7 @@ static const char *name_of(const joint *j)
     return name[j->kind];
 }
 
-static status check_way(const joint *j, const char *what)
+static status check_free_axis(const joint *j, const char *what)
 {
     if (joint_is_free(j)) return status_ok();
     return status_fail("a %s has no free way: there is no %s for it", name_of(j),
@@ -58,7 +58,7 @@ static void arrange(joint *j)
 
 status actuator_set_motor(joint *j, real speed, real force)
 {
-    status done = check_way(j, "motor");
+    status done = check_free_axis(j, "motor");
     if (!done.ok) return done;
     if (!(fabs(speed) < HUGE_VAL && force >= 0))
         return status_fail("a motor of speed %g and force %g: the speed must be "
@@ -73,7 +73,7 @@ status actuator_set_motor(joint *j, real speed, real force)
 status actuator_set_spring(joint *j, real rest, real stiffness, real damping,
                            real bound)
 {
-    status done = check_way(j, "spring");
+    status done = check_free_axis(j, "spring");
     if (!done.ok) return done;
     if (!(fabs(rest) < HUGE_VAL && stiffness >= 0 && stiffness < HUGE_VAL
           && damping >= 0 && damping < HUGE_VAL && bound >= 0))
@@ -132,7 +132,7 @@ real actuator_inverse(const joint_rows *r, real mass_a, real mass_b)
 //>   the speeds before and after, and the stronger it is, the more of the one
 //>   after.
 // The way from one place to another; of an angle, the shorter one.
-static real way(const joint *j, real from, real to)
+static real displacement(const joint *j, real from, real to)
 {
     real d = to - from;
     if (j->kind != JOINT_HINGE) return d;
@@ -151,7 +151,7 @@ static void find_spring(const joint *j, joint_rows *r, real h)
     real after = (1 + 3 * late) / 4, before = (1 - late) / 4;
     // exp(-x) is 1 / (1 + x + x^2 / 2) here: what it leaves of a speed.
     real later = (1 + braked) / (2 + braked);
-    real left = way(j, r->error[r->held], d->rest);
+    real left = displacement(j, r->error[r->held], d->rest);
     r->pull = r->kick * (d->stiffness * (left + h * before * r->before)
                          - d->damping * (1 - later) * r->before);
     r->slope = r->kick * (d->stiffness * h * after + d->damping * later);
@@ -162,7 +162,7 @@ static void find_spring(const joint *j, joint_rows *r, real h)
 real actuator_energy(const joint *j, real place, real seconds)
 {
     const joint_drive *d = &j->drive;
-    real stretch = fabs(way(j, place, d->rest)), push = d->force * seconds;
+    real stretch = fabs(displacement(j, place, d->rest)), push = d->force * seconds;
     real stored = d->stiffness * stretch * stretch / 2;
     if (d->bound < HUGE_VAL) stored = real_min(stored, d->bound * stretch);
     real sum = sqrt(stored) + push * sqrt(d->inverse / 2);
@@ -236,12 +236,12 @@ static real speed_to(const joint *j, const joint_rows *r, int side, real h,
     return real_max(real_min(r->share * left / h, most), -most);
 }
 
-real actuator_want(const joint *j, joint_rows *r, real h, real joint_rate,
+real actuator_bias(const joint *j, joint_rows *r, real h, real joint_rate,
                    const real *end, real speed)
 {
     const joint_drive *d = &j->drive;
     real impulse = j->impulse[r->held];
-    r->speed = end ? way(j, r->error[r->held], *end) / h : speed;
+    r->speed = end ? displacement(j, r->error[r->held], *end) / h : speed;
     for (int s = 0; s < 2; s++)
         r->room[s] = j->has_limits ? speed_to(j, r, 2 * s - 1, h, joint_rate, !end)
                                    : (2 * s - 1) * HUGE_VAL;
@@ -328,7 +328,7 @@ void actuator_weigh(const joint *j, joint_rows *r, int n,
     else                        soften(j, r, n, k);
 }
 
-real actuator_want_cone(const joint *j, joint_rows *r, int i, real h,
+real actuator_bias_cone(const joint *j, joint_rows *r, int i, real h,
                         real joint_rate, const real *end, real speed)
 {
     int k = r->held + i;
@@ -388,7 +388,7 @@ void actuator_begin_friction(joint *j, joint_rows *r, real kick)
     }
 }
 
-real actuator_want_friction(const joint *j, const joint_rows *r, int i)
+real actuator_bias_friction(const joint *j, const joint_rows *r, int i)
 {
     real more = j->impulse[r->held + i] - r->resisted[i];
     return j->slips ? 0 : -r->turning[i] - r->firm[i] * more;

@@ -53,20 +53,20 @@ void actuator_weigh(const joint *j, joint_rows *r, int n,
 // How fast does it go, and how fast may it, between its limits?  With the place
 // at the end of the substep, or, if that is NULL, for what goes on at `speed`.
 // Returns what the row wants.
-real actuator_want(const joint *j, joint_rows *r, real h, real joint_rate,
+real actuator_bias(const joint *j, joint_rows *r, real h, real joint_rate,
                    const real *end, real speed);
 
 // Keeps what row i of a cone wants, and returns it, or 0 if it does not hold.  With
 // the room at the end of the substep (rad), or, if that is NULL, for what it grows
 // by at `speed`.
-real actuator_want_cone(const joint *j, joint_rows *r, int i, real h,
+real actuator_bias_cone(const joint *j, joint_rows *r, int i, real h,
                         real joint_rate, const real *end, real speed);
 
 // The same of friction, when the bodies turn by r->turning at the begin of a substep
 // in which forces act for `kick` (s); what row i wants; and whether the joint holds or
 // slips has changed.
 void actuator_begin_friction(joint *j, joint_rows *r, real kick);
-real actuator_want_friction(const joint *j, const joint_rows *r, int i);
+real actuator_bias_friction(const joint *j, const joint_rows *r, int i);
 bool actuator_switch_friction(joint *j, const joint_rows *r,
                               real more[JOINT_ROWS]);
 
@@ -75,7 +75,7 @@ bool actuator_switch_friction(joint *j, const joint_rows *r,
 // changed.
 bool actuator_switch_cone(joint *j, const joint_rows *r, real more[JOINT_ROWS]);
 
-// After actuator_want: what gave more than it may gives its most, what gave its
+// After actuator_bias: what gave more than it may gives its most, what gave its
 // most and need not holds again, a limit that pulls lets go, and one that is
 // passed holds.  Returns whether that has changed; the impulse that is to be
 // given at once, N s, in *more.

@@ -168,7 +168,7 @@ real joint_where(const joint *j, const rigid_frame *a, const rigid_frame *b)
     return vec3_dot(vec3_sub(on_b, on_a), in_world(a, j->axis_a[0]));
 }
 
-vec3 joint_way(const joint *j, const rigid_frame *a, const rigid_frame *b)
+vec3 joint_direction(const joint *j, const rigid_frame *a, const rigid_frame *b)
 {
     vec3 on_a, on_b;
     if (j->kind != JOINT_DISTANCE) return in_world(a, j->axis_a[0]);
@@ -223,7 +223,7 @@ static void lock_errors(const joint *j, const rigid_frame *a,
     if (n == 3) e[n] = 0;
 }
 
-static void put_three(real e[3], vec3 v)
+static void write_vec3(real e[3], vec3 v)
 {
     e[0] = v.x, e[1] = v.y, e[2] = v.z;
 }
@@ -242,7 +242,7 @@ static void slider_errors(const joint *j, const joint_rows *r,
 {
     e[0] = vec3_dot(gap, in_world(a, j->axis_a[1]));
     e[1] = vec3_dot(gap, in_world(a, j->axis_a[2]));
-    put_three(e + 2, twist_between(j, a, b));
+    write_vec3(e + 2, twist_between(j, a, b));
     e[5] = room(j, r, -vec3_dot(gap, in_world(a, j->axis_a[0])));
 }
 
@@ -266,13 +266,13 @@ static real distance_error(const joint *j, const joint_rows *r, real length)
 static void errors(const joint *j, const joint_rows *r, const rigid_frame *a,
                    const rigid_frame *b, vec3 gap, real e[JOINT_ROWS])
 {
-    put_three(e, gap);
+    write_vec3(e, gap);
     if (j->is_coned)                cone_errors(j, r, a, b, e);
     if (j->kind == JOINT_DISTANCE)  e[0] = distance_error(j, r, vec3_length(gap));
     if (j->kind == JOINT_SLIDER)    slider_errors(j, r, a, b, gap, e);
     if (j->kind == JOINT_LOCK)      lock_errors(j, a, b, gap, e);
     if (j->kind == JOINT_HINGE)     hinge_errors(j, r, a, b, e);
-    if (j->kind == JOINT_FIXED)     put_three(e + 3, twist_between(j, a, b));
+    if (j->kind == JOINT_FIXED)     write_vec3(e + 3, twist_between(j, a, b));
 }
 
 void joint_errors(const joint *j, const joint_rows *r, const rigid_frame *a,
@@ -288,8 +288,8 @@ void joint_errors(const joint *j, const joint_rows *r, const rigid_frame *a,
 static const vec3 AXIS[3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
 
 // How fast a point at `arm` goes along d; how fast a body turns about d.
-static void go_along(real row[MOTIONS], const joint_side *s, vec3 arm, vec3 d,
-                     real sign)
+static void fill_row_along(real row[MOTIONS], const joint_side *s, vec3 arm, vec3 d,
+                           real sign)
 {
     vec3 moment = vec3_cross(arm, d);
     row[0] = sign * d.x;
@@ -299,19 +299,19 @@ static void go_along(real row[MOTIONS], const joint_side *s, vec3 arm, vec3 d,
         row[MOTION_TURN + t] = sign * vec3_dot(s->basis->turn[t], moment);
 }
 
-static void turn_about(real row[MOTIONS], const joint_side *s, vec3 d,
-                       real sign)
+static void fill_row_about(real row[MOTIONS], const joint_side *s, vec3 d,
+                           real sign)
 {
     row[0] = row[1] = row[2] = 0;
     for (int t = 0; t < TURNS; t++)
         row[MOTION_TURN + t] = sign * vec3_dot(s->basis->turn[t], d);
 }
 
-ALWAYS_INLINE void turn_apart(joint_rows *r, int k, const joint_side *a,
-                              const joint_side *b, vec3 d)
+ALWAYS_INLINE void relative_turn_row(joint_rows *r, int k, const joint_side *a,
+                                     const joint_side *b, vec3 d)
 {
-    turn_about(r->a[k], a, d, 1);
-    turn_about(r->b[k], b, d, -1);
+    fill_row_about(r->a[k], a, d, 1);
+    fill_row_about(r->b[k], b, d, -1);
 }
 
 // The row of a limit leads away from it, that of a drive along its way; returns
@@ -324,16 +324,16 @@ static real choose_limit(joint_rows *r, const joint *j, real place)
 
 // Both impulses act at one point: what one body gains of angular momentum the
 // other loses.
-static void go_apart(joint_rows *r, int k, const joint_side *a,
-                     const joint_side *b, vec3 at, vec3 d)
+static void relative_row(joint_rows *r, int k, const joint_side *a,
+                         const joint_side *b, vec3 at, vec3 d)
 {
-    go_along(r->a[k], a, vec3_sub(at, a->frame.center), d, 1);
-    go_along(r->b[k], b, vec3_sub(at, b->frame.center), d, -1);
+    fill_row_along(r->a[k], a, vec3_sub(at, a->frame.center), d, 1);
+    fill_row_along(r->b[k], b, vec3_sub(at, b->frame.center), d, -1);
 }
 
 // The point of a body goes along x, y and z.
-static void go_three(real (*row)[MOTIONS], const joint_side *s, vec3 at,
-                     real sign)
+static void point_rows(real (*row)[MOTIONS], const joint_side *s, vec3 at,
+                       real sign)
 {
     vec3 arm = vec3_scale(sign, vec3_sub(at, s->frame.center));
     for (int k = 0; k < 3; k++)
@@ -351,8 +351,8 @@ static void find_point_rows(joint_rows *r, const joint_side *a,
                             const joint_side *b, vec3 on_a, vec3 on_b)
 {
     vec3 middle = vec3_scale(0.5, vec3_add(on_a, on_b));
-    go_three(r->a, a, middle, 1);
-    go_three(r->b, b, middle, -1);
+    point_rows(r->a, a, middle, 1);
+    point_rows(r->b, b, middle, -1);
     r->held = 3;
 }
 
@@ -361,13 +361,13 @@ static void find_hinge_rows(joint_rows *r, const joint *j, const joint_side *a,
 {
     for (int k = 0; k < 2; k++) {
         r->across[k] = in_world(&a->frame, j->axis_a[1 + k]);
-        turn_apart(r, 3 + k, a, b, r->across[k]);
+        relative_turn_row(r, 3 + k, a, b, r->across[k]);
     }
     r->held = 5;
     if (!j->is_limited && !j->is_driven) return;
     choose_limit(r, j, joint_angle(j, &a->frame, &b->frame));
     vec3 axis = in_world(&a->frame, j->axis_a[0]);
-    turn_apart(r, 5, a, b, vec3_scale(r->is_upper ? 1 : -1, axis));
+    relative_turn_row(r, 5, a, b, vec3_scale(r->is_upper ? 1 : -1, axis));
 }
 
 // A turn d changes the swing by d along the axis of both, y x x, and the twist by d
@@ -382,8 +382,8 @@ static void find_cone_rows(joint_rows *r, const joint *j, const joint_side *a,
     real more = 1 + vec3_dot(x, y);
     r->is_upper = j->most - twist < twist - j->least;
     real sign = r->is_upper ? 1 : -1;
-    turn_apart(r, 3, a, b, vec3_scale(length > 0 ? -1 / length : 0, lean));
-    turn_apart(r, 4, a, b, vec3_scale(more > 0 ? sign / more : 0, sum));
+    relative_turn_row(r, 3, a, b, vec3_scale(length > 0 ? -1 / length : 0, lean));
+    relative_turn_row(r, 4, a, b, vec3_scale(more > 0 ? sign / more : 0, sum));
 }
 
 // Friction acts about all axes: with a cone about those of its swing and twist, and
@@ -397,30 +397,30 @@ static void find_friction_rows(joint_rows *r, const joint *j,
     real length = vec3_length(third);
     r->twist_size = 1;
     for (int k = 0; k < 3 && !j->is_coned; k++)
-        turn_apart(r, 3 + k, a, b, AXIS[k]);
+        relative_turn_row(r, 3 + k, a, b, AXIS[k]);
     if (!j->is_coned) return;
     r->twist_size = joint_twist_length(j, &a->frame, &b->frame);
     if (length > 0) {
-        turn_apart(r, 5, a, b, vec3_scale(1 / length, third));
+        relative_turn_row(r, 5, a, b, vec3_scale(1 / length, third));
         return;
     }
     choose_across(x, &lean, &third);
-    turn_apart(r, 3, a, b, lean);
-    turn_apart(r, 5, a, b, third);
+    relative_turn_row(r, 3, a, b, lean);
+    relative_turn_row(r, 5, a, b, third);
 }
 
 static void find_slider_rows(joint_rows *r, const joint *j, const joint_side *a,
                              const joint_side *b, vec3 on_b)
 {
     for (int k = 0; k < 2; k++)
-        go_apart(r, k, a, b, on_b, in_world(&a->frame, j->axis_a[1 + k]));
-    for (int k = 0; k < 3; k++) turn_apart(r, 2 + k, a, b, AXIS[k]);
+        relative_row(r, k, a, b, on_b, in_world(&a->frame, j->axis_a[1 + k]));
+    for (int k = 0; k < 3; k++) relative_turn_row(r, 2 + k, a, b, AXIS[k]);
     r->held = 5;
     r->lengths = 2;
     if (!j->is_limited && !j->is_driven) return;
     real sign = choose_limit(r, j, joint_where(j, &a->frame, &b->frame));
     vec3 axis = in_world(&a->frame, j->axis_a[0]);
-    go_apart(r, 5, a, b, on_b, vec3_scale(-sign, axis));
+    relative_row(r, 5, a, b, on_b, vec3_scale(-sign, axis));
 }
 
 // It pulls at the centre of mass, so ways and turns have nothing to do with each
@@ -431,13 +431,13 @@ static void find_lock_rows(joint_rows *r, const joint *j, const joint_side *a,
     r->held = r->lengths = 0;
     for (int k = 0; k < 3; k++)
         if (is_locked(j, k))
-            go_apart(r, r->held++, a, b, b->frame.center, AXIS[k]);
+            relative_row(r, r->held++, a, b, b->frame.center, AXIS[k]);
     r->lengths = r->held;
     for (int k = 0; k < 3; k++)
-        if (is_locked(j, 3 + k)) turn_apart(r, r->held++, a, b, AXIS[k]);
+        if (is_locked(j, 3 + k)) relative_turn_row(r, r->held++, a, b, AXIS[k]);
     if (r->held != 3) return;
     // Three rows are taken for those of a ball joint (linkage.c).
-    turn_apart(r, r->held++, a, b, vec3_make(0, 0, 0));
+    relative_turn_row(r, r->held++, a, b, vec3_make(0, 0, 0));
 }
 
 // A length that must not change is one row; a least and a most are a limit, the
@@ -452,8 +452,8 @@ static void find_distance_row(joint_rows *r, const joint *j,
     r->held = !j->is_limited && !j->is_driven;
     r->lengths = 1;
     real sign = choose_limit(r, j, length);
-    go_along(r->a[0], a, vec3_sub(on_a, a->frame.center), along, sign);
-    go_along(r->b[0], b, vec3_sub(on_b, b->frame.center), along, -sign);
+    fill_row_along(r->a[0], a, vec3_sub(on_a, a->frame.center), along, sign);
+    fill_row_along(r->b[0], b, vec3_sub(on_b, b->frame.center), along, -sign);
 }
 
 void joint_find_rows(joint_rows *r, const joint *j, const joint_side *a,
@@ -475,7 +475,7 @@ void joint_find_rows(joint_rows *r, const joint *j, const joint_side *a,
         if (j->is_coned)            find_cone_rows(r, j, a, b);
         if (j->friction > 0)        find_friction_rows(r, j, a, b);
         for (int k = 0; k < 3 && j->kind == JOINT_FIXED; k++)
-            turn_apart(r, r->held++, a, b, AXIS[k]);
+            relative_turn_row(r, r->held++, a, b, AXIS[k]);
     }
     errors(j, r, &a->frame, &b->frame, vec3_sub(on_a, on_b), r->error);
 }

@@ -202,7 +202,7 @@ real joint_twist_length(const joint *j, const rigid_frame *a,
 
 // The free way of such a joint in the world: of a hinge or a slider its axis, of a
 // distance the direction from A to B.
-vec3 joint_way(const joint *j, const rigid_frame *a, const rigid_frame *b);
+vec3 joint_direction(const joint *j, const rigid_frame *a, const rigid_frame *b);
 
 // Where the points are: m, of A and of B.
 void joint_points(const joint *j, const rigid_frame *a, const rigid_frame *b,

@@ -91,7 +91,7 @@ static int free_joint(const linkage *l)
 }
 
 // Its body is joined in the next frame, from its begin.
-static void will_be_seen(linkage *l, int b)
+static void mark_joined(linkage *l, int b)
 {
     if (b >= 0) l->body[b].seen = l->frames + 1;
 }
@@ -106,8 +106,8 @@ status linkage_add(linkage *l, const joint *j, int *number)
     l->joint[k] = *j;
     l->rows[k] = (joint_rows){ .count = 0 };
     l->role[k] = JOINT_IDLE;
-    will_be_seen(l, j->a);
-    will_be_seen(l, j->b);
+    mark_joined(l, j->a);
+    mark_joined(l, j->b);
     if (j->kind == JOINT_PIN) linkage_count_pins(l);
     return status_ok();
 }
@@ -186,7 +186,7 @@ static const rigid_frame *joined_frame(const linkage_pass *q, int b)
 // A body that has been displaced, too, goes on for h (s).  Every impulse that
 // it got in this substep acts from its begin: so what joints give is a step of
 // its own motion, and takes no energy.
-static void go_on(solver_body *x, motion *u, const motion *moved, real h)
+static void advance_shifted(solver_body *x, motion *u, const motion *moved, real h)
 {
     motion d;
     if (motion_is_some(moved)) motion_displace(&x->frame, &x->basis, u, moved);
@@ -205,11 +205,11 @@ static bool find_end(linkage *l, const linkage_pass *q, int b)
     x->has_end = true;
     x->last = x->go = *now;
     x->end = q->f->body[b];
-    go_on(&x->end, &x->go, &q->moved[b], q->f->h);
+    advance_shifted(&x->end, &x->go, &q->moved[b], q->f->h);
     return false;
 }
 
-void linkage_go(linkage *l, const linkage_pass *q, int b, solver_body *now)
+void linkage_advance(linkage *l, const linkage_pass *q, int b, solver_body *now)
 {
     find_end(l, q, b);
     *now = l->body[b].end;
@@ -267,7 +267,7 @@ ALWAYS_INLINE void take_speed(real *speed, int rows, real (*row)[MOTIONS],
 }
 
 // An impulse, in the coordinates of a body's motion.
-static void give(const linkage_pass *q, int b, const real impulse[MOTIONS])
+static void apply_impulse(const linkage_pass *q, int b, const real impulse[MOTIONS])
 {
     real inverse = basis_of(q->f, b)->inverse_mass;
     for (int i = 0; i < MOTIONS; i++)
@@ -280,7 +280,7 @@ ALWAYS_INLINE void push_body(const linkage_pass *q, int rows,
     real sum[MOTIONS] = { 0 };
     if (!moves(q->f, b)) return;
     drive_by(sum, rows, row, impulse);
-    give(q, b, sum);
+    apply_impulse(q, b, sum);
 }
 
 static void push_both(const linkage_pass *q, const joint *j, joint_rows *r,
@@ -308,7 +308,7 @@ static void push_both(const linkage_pass *q, const joint *j, joint_rows *r,
 static const real AT_ONCE = 1;
 static const real SLOWLY = 0.3;             // tuned, 1
 
-static void want_together(const linkage *l, const linkage_pass *q, int number,
+static void bias_position(const linkage *l, const linkage_pass *q, int number,
                           real want[JOINT_ROWS])
 {
     const joint *j = &l->joint[number];
@@ -329,8 +329,8 @@ ALWAYS_INLINE void stop(int n, const linkage_pass *q, const joint *j,
     if (moves(q->f, j->b)) take_speed(want, n, r->b, q->velocity[j->b].of);
 }
 
-static void want_rest(const linkage *l, const linkage_pass *q, int number,
-                      real want[JOINT_ROWS])
+static void bias_velocity(const linkage *l, const linkage_pass *q, int number,
+                          real want[JOINT_ROWS])
 {
     const joint *j = &l->joint[number];
     joint_rows *r = &l->rows[number];
@@ -342,8 +342,8 @@ static void want_rest(const linkage *l, const linkage_pass *q, int number,
     else                        stop(rows, q, j, r, want);
 }
 
-typedef void wanting(const linkage *l, const linkage_pass *q, int number,
-                     real want[JOINT_ROWS]);
+typedef void bias_function(const linkage *l, const linkage_pass *q, int number,
+                           real want[JOINT_ROWS]);
 //<
 
 //> linkage-driven
@@ -361,17 +361,17 @@ static real speed_along(const linkage_pass *q, const joint *j, joint_rows *r,
 }
 
 // After the cone's: friction takes what that leaves free.
-static void want_friction(const linkage_pass *q, const joint *j, joint_rows *r,
+static void bias_friction(const linkage_pass *q, const joint *j, joint_rows *r,
                           real want[JOINT_ROWS])
 {
     for (int i = 0; i < 3; i++) {
         bool is_cone = j->is_coned && i < 2 && j->cone_holds[i];
         r->turning[i] = speed_along(q, j, r, r->held + i);
-        if (!is_cone) want[r->held + i] = actuator_want_friction(j, r, i);
+        if (!is_cone) want[r->held + i] = actuator_bias_friction(j, r, i);
     }
 }
 
-static void want_cone_together(const linkage *l, const linkage_pass *q,
+static void bias_cone_position(const linkage *l, const linkage_pass *q,
                                int number, real want[JOINT_ROWS])
 {
     const joint *j = &l->joint[number];
@@ -379,36 +379,36 @@ static void want_cone_together(const linkage *l, const linkage_pass *q,
     real then[JOINT_ROWS];
     joint_errors(j, r, end_of(l, q, j->a), end_of(l, q, j->b), then);
     for (int i = 0; i < 2; i++)
-        want[r->held + i] = actuator_want_cone(j, r, i, q->f->h, q->f->joint_rate,
+        want[r->held + i] = actuator_bias_cone(j, r, i, q->f->h, q->f->joint_rate,
                                                &then[r->held + i], 0);
 }
 
-static void want_driven_together(const linkage *l, const linkage_pass *q,
+static void bias_driven_position(const linkage *l, const linkage_pass *q,
                                  int number, real want[JOINT_ROWS])
 {
     const joint *j = &l->joint[number];
     joint_rows *r = &l->rows[number];
-    want_together(l, q, number, want);
-    if (j->is_coned) want_cone_together(l, q, number, want);
-    if (j->friction > 0) want_friction(q, j, r, want);
+    bias_position(l, q, number, want);
+    if (j->is_coned) bias_cone_position(l, q, number, want);
+    if (j->friction > 0) bias_friction(q, j, r, want);
     if (!j->is_driven) return;
     real end = joint_where(j, end_of(l, q, j->a), end_of(l, q, j->b));
-    want[r->held] = actuator_want(j, r, q->f->h, q->f->joint_rate, &end, 0);
+    want[r->held] = actuator_bias(j, r, q->f->h, q->f->joint_rate, &end, 0);
 }
 
-static void want_driven_rest(const linkage *l, const linkage_pass *q,
-                             int number, real want[JOINT_ROWS])
+static void bias_driven_velocity(const linkage *l, const linkage_pass *q,
+                                 int number, real want[JOINT_ROWS])
 {
     const joint *j = &l->joint[number];
     joint_rows *r = &l->rows[number];
-    want_rest(l, q, number, want);
+    bias_velocity(l, q, number, want);
     for (int i = 0; i < 2 && j->is_coned; i++)
-        want[r->held + i] = actuator_want_cone(j, r, i, q->f->h, q->f->joint_rate,
+        want[r->held + i] = actuator_bias_cone(j, r, i, q->f->h, q->f->joint_rate,
                                                NULL, speed_along(q, j, r,
                                                                  r->held + i));
-    if (j->friction > 0) want_friction(q, j, r, want);
+    if (j->friction > 0) bias_friction(q, j, r, want);
     if (!j->is_driven) return;
-    want[r->held] = actuator_want(j, r, q->f->h, q->f->joint_rate, NULL,
+    want[r->held] = actuator_bias(j, r, q->f->h, q->f->joint_rate, NULL,
                                   speed_along(q, j, r, r->held));
 }
 
@@ -523,7 +523,7 @@ static void push_more(linkage *l, const linkage_pass *q, int number,
 }
 
 static bool switch_drive(linkage *l, const linkage_pass *q, int number,
-                         wanting *what)
+                         bias_function *what)
 {
     joint *j = &l->joint[number];
     joint_rows *r = &l->rows[number];
@@ -537,7 +537,7 @@ static bool switch_drive(linkage *l, const linkage_pass *q, int number,
 }
 
 static bool switch_limit(linkage *l, const linkage_pass *q, int number,
-                         wanting *what)
+                         bias_function *what)
 {
     joint *j = &l->joint[number];
     joint_rows *r = &l->rows[number];
@@ -563,7 +563,7 @@ static bool switch_limit(linkage *l, const linkage_pass *q, int number,
 }
 
 static void solve_alone(linkage *l, const linkage_pass *q, int number,
-                        wanting *what)
+                        bias_function *what)
 {
     joint *j = &l->joint[number];
     joint_rows *r = &l->rows[number];
@@ -839,7 +839,7 @@ static void solve_tree(linkage *l, const linkage_pass *q, int first, int end)
         else        solve_outward(n, l, &s[k]);
     }
     for (int k = first; k < end; k++)
-        if (s[k].body >= 0) give(q, s[k].body, l->body[s[k].body].impulse);
+        if (s[k].body >= 0) apply_impulse(q, s[k].body, l->body[s[k].body].impulse);
 }
 //<
 
@@ -885,7 +885,7 @@ static void take_back(linkage *l, const linkage_pass *q, int first, int end)
 }
 
 static bool switch_limits(linkage *l, const linkage_pass *q, int first, int end,
-                          wanting *what)
+                          bias_function *what)
 {
     bool has_changed = false;
     for (int s = first; s < end; s++)
@@ -896,8 +896,8 @@ static bool switch_limits(linkage *l, const linkage_pass *q, int first, int end,
 }
 
 // Returns by how much the worst joint will miss it, as a share of its size.
-static real find_wants(linkage *l, const linkage_pass *q, int first, int end,
-                       wanting *what)
+static real find_biases(linkage *l, const linkage_pass *q, int first, int end,
+                        bias_function *what)
 {
     real worst = 0;
     for (int s = first; s < end; s++) {
@@ -915,10 +915,10 @@ static real find_wants(linkage *l, const linkage_pass *q, int first, int end,
 
 // Solved once, and again while a joint will miss what it wants by too much.
 static void settle_tree(linkage *l, const linkage_pass *q, int first, int end,
-                        wanting *what, int rounds, real rough)
+                        bias_function *what, int rounds, real rough)
 {
     linkage_body *root = &l->body[l->step[end - 1].body];
-    bool is_last = what == want_together || what == want_driven_together;
+    bool is_last = what == bias_position || what == bias_driven_position;
     for (int s = first; s < end - 1 && root->is_limited; s++)
         memset(l->rows[l->step[s].joint].since, 0, sizeof l->rows->since);
     for (int n = 0; n < rounds + LIMIT_ROUNDS; n++) {
@@ -927,7 +927,7 @@ static void settle_tree(linkage *l, const linkage_pass *q, int first, int end,
         if (is_known && root->is_settled) return;
         bool has_changed = root->is_limited
                         && switch_limits(l, q, first, end, what);
-        real missed = find_wants(l, q, first, end, what);
+        real missed = find_biases(l, q, first, end, what);
         bool is_settled = (n > 0 || root->is_solved) && missed <= MISS;
         root->is_settled = is_settled && is_last;
         if (!has_changed && (is_settled || n >= rounds)) return;
@@ -940,8 +940,8 @@ static void settle_tree(linkage *l, const linkage_pass *q, int first, int end,
 }
 
 // What stands alone first, every other time last to first; then the trees.
-static void settle_bounds(linkage *l, const linkage_pass *q, wanting *what, int rounds,
-                          real rough)
+static void settle_bounds(linkage *l, const linkage_pass *q,
+                          bias_function *what, int rounds, real rough)
 {
     l->is_backward = !l->is_backward;
     for (int i = 0; i < l->count; i++) {
@@ -988,7 +988,7 @@ static real tilted_by(const joint_rows *r)
 static const real PARTED = 0.01;            // tuned, radii
 
 // What is far apart comes together no faster than an overlap goes.
-static real share_at_once(const linkage *l, int k, const solver_frame *f)
+static real correction_share(const linkage *l, int k, const solver_frame *f)
 {
     const joint_rows *r = &l->rows[k];
     real sum = 0, most = f->joint_rate * r->size * f->h;
@@ -1011,7 +1011,7 @@ static void find_rows_of(linkage *l, const linkage_pass *q, int k)
         j->impulse[4] = j->cone_holds[1] = 0;
     r->count = r->held + (j->is_limited && j->impulse[r->held] > 0)
              + j->extra;
-    r->share = share_at_once(l, k, q->f);
+    r->share = correction_share(l, k, q->f);
     l->worst = real_max(l->worst, parted_by(j, r));
     l->parted += parted_by(j, r) > PARTED * r->size || tilted_by(r) > PARTED;
     if (l->role[k] == JOINT_ALONE) factor_alone(l, q, k);
@@ -1246,8 +1246,9 @@ static const real ROUGH = 1e-3;             // tuned, sizes
 void linkage_push(linkage *l, const linkage_pass *q, bool is_last)
 {
     real rough = is_last ? 0 : ROUGH;
-    if (l->is_driven)   settle_bounds(l, q, want_driven_together, IMPACT_STEPS, rough);
-    else                settle_bounds(l, q, want_together, IMPACT_STEPS, rough);
+    if (l->is_driven)
+        settle_bounds(l, q, bias_driven_position, IMPACT_STEPS, rough);
+    else                settle_bounds(l, q, bias_position, IMPACT_STEPS, rough);
 }
 //<
 
@@ -1369,8 +1370,8 @@ void linkage_relax(linkage *l, const linkage_pass *q)
     for (int k = 0; k < l->count; k++)
         memcpy(l->rows[k].pushed, l->joint[k].impulse, sizeof l->rows->pushed);
     find_rows(l, q);
-    if (l->is_driven)   settle_bounds(l, q, want_driven_rest, 1, 0);
-    else                settle_bounds(l, q, want_rest, 1, 0);
+    if (l->is_driven)   settle_bounds(l, q, bias_driven_velocity, 1, 0);
+    else                settle_bounds(l, q, bias_velocity, 1, 0);
     find_speeds(l, q);
     break_overloaded(l, q);
     if (l->is_stale) begin_roles(l, q);

@@ -142,7 +142,7 @@ void linkage_begin(linkage *l, const linkage_pass *q);
 void linkage_push(linkage *l, const linkage_pass *q, bool is_last);
 
 // puts a joined body where it goes;
-void linkage_go(linkage *l, const linkage_pass *q, int b, solver_body *now);
+void linkage_advance(linkage *l, const linkage_pass *q, int b, solver_body *now);
 
 // after the bodies have moved: the rows for where they stand now; takes back
 // the speed by which errors went; and breaks what had to bear too much.

@@ -84,7 +84,7 @@ int *inside_joint(tumble_world *w, tumble_joint j)
     return inside_find(w, &w->joints, "joint", j.place, j.generation);
 }
 
-const body_place *inside_look(const tumble_world *w, tumble_body b)
+const body_place *inside_body_of(const tumble_world *w, tumble_body b)
 {
     return w ? slots_find(&w->bodies, b.place, b.generation) : NULL;
 }

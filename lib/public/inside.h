@@ -147,7 +147,7 @@ bool inside_is_speed(tumble_world *w, tumble_vec3 v);
 bool inside_is_group(tumble_world *w, unsigned group);
 
 // The body with this id, without a failure.
-const body_place *inside_look(const tumble_world *w, tumble_body b);
+const body_place *inside_body_of(const tumble_world *w, tumble_body b);
 
 // The engine's number of a body that can be moved by hand: rigid, of one piece.
 // -1, with a failure, if it is none, or its numbers are not finite.

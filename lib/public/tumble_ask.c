@@ -11,15 +11,15 @@
 
 // What is asked about: a thing, where it goes, which bodies are asked, and how.
 typedef struct question question;
-typedef cast_result asking(const question *q, rounded b, const plane *p,
-                           vec3 *scratch);
+typedef cast_result cast_query(const question *q, rounded b, const plane *p,
+                               vec3 *scratch);
 struct question {
     rounded thing;
     vec3 way;           // m
     sphere around;      // the thing, before it goes; of one that turns, about its
     unsigned mask;      // centre of mass
     vec3 turn;          // rad; zero: it does not
-    asking *ask;        // of b, or of the plane, if p is not NULL
+    cast_query *ask;    // of b, or of the plane, if p is not NULL
     bool by_distance;   // its answer is a distance (m), not a share of the way
     bool of_soft;       // ropes and cloths are asked, and nothing else
     real most;          // its largest answer
@@ -34,7 +34,7 @@ static rounded rounded_body(const tumble_world *w, int b, vec3 *at)
 }
 
 // m^2, how near the way comes to x.
-static real point_way(const question *q, vec3 x)
+static real path_distance(const question *q, vec3 x)
 {
     vec3 d = vec3_sub(x, q->around.center);
     real square = vec3_length_squared(q->way), along = vec3_dot(d, q->way);
@@ -50,7 +50,7 @@ static bool may_be_met(const tumble_world *w, int b, const question *q)
     vec3 center = rigid4_frame(w->world.pool.at + x->first).center;
     real near = q->around.radius + x->rigid->reach;
     // Written so that what is not finite is asked.
-    return !(point_way(q, center) > near * near * (1 + 1e-9));
+    return !(path_distance(q, center) > near * near * (1 + 1e-9));
 }
 
 static sphere ball_of_rounded(rounded h)
@@ -91,8 +91,8 @@ static rounded behind(const question *q, const plane *p, vec3 at[4])
 }
 
 // Where it first meets it.
-static cast_result ask_way(const question *q, rounded b, const plane *p,
-                           vec3 *scratch)
+static cast_result query_path(const question *q, rounded b, const plane *p,
+                              vec3 *scratch)
 {
     const swept_motion m = { q->around.center, q->way, q->turn,
                              q->around.radius - q->thing.round };
@@ -107,16 +107,16 @@ static cast_result ask_way(const question *q, rounded b, const plane *p,
 //> face-ask-near
 //>   What is nearest to a point, and what overlaps a shape? These two need one
 //>   distance a body.
-static cast_result ask_near(const question *q, rounded b, const plane *p,
-                            vec3 *scratch)
+static cast_result query_near(const question *q, rounded b, const plane *p,
+                              vec3 *scratch)
 {
     vec3 x = q->around.center;
     (void)scratch;
     return p ? cast_nearest_plane(x, *p, q->most) : cast_nearest(x, b, q->most);
 }
 
-static cast_result ask_overlap(const question *q, rounded b, const plane *p,
-                               vec3 *scratch)
+static cast_result query_overlap(const question *q, rounded b, const plane *p,
+                                 vec3 *scratch)
 {
     (void)scratch;
     return (cast_result){ .hits = !p && cast_overlaps(q->thing, b) };
@@ -135,7 +135,7 @@ typedef struct {
 } mesh_question;
 
 // Returns how far there still may be something better; -1: nowhere.
-static real ask_prism(void *context, int triangle)
+static real query_prism(void *context, int triangle)
 {
     mesh_question *m = context;
     vec3 *at = m->w->scratch;
@@ -147,8 +147,8 @@ static real ask_prism(void *context, int triangle)
     return best > 0 ? real_min(best, m->q->most) : -1;
 }
 
-static void ask_mesh(const tumble_world *w, const body_place *x,
-                     const question *q, tumble_hit *best)
+static void query_mesh(const tumble_world *w, const body_place *x,
+                       const question *q, tumble_hit *best)
 {
     mesh_question m = { w, &x->mesh->surface, q,
                         inside_owner(w, x->piece[0].number), best };
@@ -158,9 +158,9 @@ static void ask_mesh(const tumble_world *w, const body_place *x,
         .thing = { vec3_sub(center, (vec3){ r, r, r }),
                    vec3_add(center, (vec3){ r, r, r }) },
         .way = q->way, .by_distance = q->by_distance,
-        .most = real_min(best->fraction, q->most), .meets = ask_prism,
+        .most = real_min(best->fraction, q->most), .meets = query_prism,
         .context = &m };
-    surface_ask(m.surface, &ask);
+    surface_visit(m.surface, &ask);
 }
 //<
 
@@ -174,8 +174,8 @@ static int facet_of(const shape *s, int k, int vertex[3])
     return is_cloth ? 3 : 2;
 }
 
-static void ask_facets(const tumble_world *w, int b, const question *q,
-                       tumble_hit *best)
+static void query_facets(const tumble_world *w, int b, const question *q,
+                         tumble_hit *best)
 {
     const body *x = &w->world.body[b];
     const particle *p = w->world.pool.at + x->first;
@@ -188,7 +188,7 @@ static void ask_facets(const tumble_world *w, int b, const question *q,
         rounded facet = { { at, n }, is_cloth ? 0 : x->thickness, 0 };
         sphere ball = ball_of_rounded(facet);
         real near = ball.radius + q->around.radius;
-        if (point_way(q, ball.center) > near * near * (1 + 1e-9)) continue;
+        if (path_distance(q, ball.center) > near * near * (1 + 1e-9)) continue;
         cast_result r = q->ask(q, facet, NULL, scratch);
         if (!r.hits || !(r.fraction < best->fraction)) continue;
         take_hit(best, &r, inside_owner(w, b));
@@ -206,13 +206,13 @@ static void ask_facets(const tumble_world *w, int b, const question *q,
 //>   What does a ray or a moving shape meet first? Of all answers the earliest
 //>   counts; of two at the same time, the body that was added first, so that
 //>   the answer is always the same.
-static void ask_body(const tumble_world *w, const body_place *x,
-                     const question *q, tumble_hit *best)
+static void query_body(const tumble_world *w, const body_place *x,
+                       const question *q, tumble_hit *best)
 {
     const body *all = &w->world.body[x->piece[0].number];
     if (body_is_soft(all) != q->of_soft || !(all->group & q->mask)) return;
-    if (q->of_soft) ask_facets(w, x->piece[0].number, q, best);
-    else if (x->mesh) ask_mesh(w, x, q, best);
+    if (q->of_soft) query_facets(w, x->piece[0].number, q, best);
+    else if (x->mesh) query_mesh(w, x, q, best);
     else for (int k = 0; k < x->pieces && best->fraction > 0; k++) {
         int b = x->piece[k].number;
         if (!may_be_met(w, b, q)) continue;
@@ -224,12 +224,12 @@ static void ask_body(const tumble_world *w, const body_place *x,
 
 // Asks number k of all that can be met: places of bodies, and behind them those
 // of planes.
-static void ask_place(const tumble_world *w, int k, const question *q,
-                      tumble_hit *best)
+static void query_place(const tumble_world *w, int k, const question *q,
+                        tumble_hit *best)
 {
     int wall = k - w->bodies.count;
     const body_place *x = wall < 0 ? slots_at(&w->bodies, k) : NULL;
-    if (x) ask_body(w, x, q, best);
+    if (x) query_body(w, x, q, best);
     if (wall < 0 || !world_has_plane(&w->world, wall) || q->of_soft) return;
     cast_result r = q->ask(q, q->thing, &w->world.plane[wall],
                            w->scratch + w->most_vertices);
@@ -247,7 +247,7 @@ static bool first_met(const tumble_world *w, const question *q,
                       tumble_hit *hit)
 {
     tumble_hit best = { .fraction = HUGE_VAL };
-    for (int k = 0; k < askable(w, q); k++) ask_place(w, k, q, &best);
+    for (int k = 0; k < askable(w, q); k++) query_place(w, k, q, &best);
     if (hit && best.fraction < HUGE_VAL) *hit = best;
     return best.fraction < HUGE_VAL;
 }
@@ -258,7 +258,7 @@ static question along_ray(vec3 *tip, tumble_vec3 from, tumble_vec3 to,
 {
     *tip = from_user(from);
     return (question){ { { tip, 1 }, 0, 0 }, vec3_sub(from_user(to), *tip),
-                       { *tip, 0 }, .mask = mask, .ask = ask_way, .most = 1 };
+                       { *tip, 0 }, .mask = mask, .ask = query_path, .most = 1 };
 }
 
 bool tumble_world_ray(const tumble_world *w, tumble_vec3 from, tumble_vec3 to,
@@ -281,7 +281,7 @@ bool tumble_world_ray_soft(const tumble_world *w, tumble_vec3 from,
 static question near_to(tumble_vec3 x, double most, unsigned mask)
 {
     return (question){ .around = { from_user(x), most }, .mask = mask,
-                       .ask = ask_near, .by_distance = true, .most = most };
+                       .ask = query_near, .by_distance = true, .most = most };
 }
 
 bool tumble_world_nearest(const tumble_world *w, tumble_vec3 x, double most,
@@ -321,7 +321,7 @@ bool tumble_world_sweep_turning(const tumble_world *w, tumble_shape s,
                                 tumble_vec3 turn, unsigned mask,
                                 tumble_hit *hit)
 {
-    question q = { .way = from_user(way), .mask = mask, .ask = ask_way,
+    question q = { .way = from_user(way), .mask = mask, .ask = query_path,
                    .turn = from_user(turn), .most = 1 };
     if (!stand_shape(w, s, pose, &q) || !vec3_is_finite(q.turn)) return false;
     vec3 center = from_user(pose.position);
@@ -344,12 +344,12 @@ bool inside_sweep(const tumble_world *w, rounded thing, vec3 way, unsigned mask,
                   tumble_hit *hit)
 {
     question q = { .thing = thing, .way = way, .around = ball_of_rounded(thing),
-                   .mask = mask, .ask = ask_way, .most = 1 };
+                   .mask = mask, .ask = query_path, .most = 1 };
     return first_met(w, &q, hit);
 }
 
-static cast_result ask_gap(const question *q, rounded b, const plane *p,
-                           vec3 *scratch)
+static cast_result query_gap(const question *q, rounded b, const plane *p,
+                             vec3 *scratch)
 {
     (void)scratch;
     cast_result r = p ? cast_gap_plane(q->thing, *p) : cast_gap(q->thing, b);
@@ -361,7 +361,7 @@ bool inside_near(const tumble_world *w, rounded thing, real most, unsigned mask,
                  tumble_hit *hit)
 {
     question q = { .thing = thing, .around = ball_of_rounded(thing), .mask = mask,
-                   .ask = ask_gap, .most = most };
+                   .ask = query_gap, .most = most };
     q.around.radius += most;
     return first_met(w, &q, hit);
 }
@@ -370,7 +370,7 @@ bool inside_near(const tumble_world *w, rounded thing, real most, unsigned mask,
 //> face-ask-all
 //>   All that a ray meets are asked one by one, and put where they belong among the
 //>   nearest.
-static void put_hit(tumble_hit *out, int most, int n, const tumble_hit *hit)
+static void insert_hit(tumble_hit *out, int most, int n, const tumble_hit *hit)
 {
     int k = n < most ? n : most;
     if (!out || most <= 0) return;
@@ -389,8 +389,8 @@ int tumble_world_ray_all(const tumble_world *w, tumble_vec3 from,
     int n = 0;
     for (int k = 0; k < askable(w, &q); k++) {
         tumble_hit best = { .fraction = HUGE_VAL };
-        ask_place(w, k, &q, &best);
-        if (best.fraction <= 1) put_hit(out, most, n++, &best);
+        query_place(w, k, &q, &best);
+        if (best.fraction <= 1) insert_hit(out, most, n++, &best);
     }
     return n;
 }
@@ -399,7 +399,7 @@ static bool overlaps(const tumble_world *w, const body_place *x,
                      const question *q)
 {
     tumble_hit best = { .fraction = HUGE_VAL };
-    ask_body(w, x, q, &best);
+    query_body(w, x, q, &best);
     return best.fraction < HUGE_VAL;
 }
 
@@ -407,7 +407,7 @@ int tumble_world_overlap(const tumble_world *w, tumble_shape s,
                          tumble_pose pose, unsigned mask, tumble_body *out,
                          int most)
 {
-    question q = { .mask = mask, .ask = ask_overlap, .most = 1 };
+    question q = { .mask = mask, .ask = query_overlap, .most = 1 };
     int n = 0;
     if (!stand_shape(w, s, pose, &q)) return 0;
     for (int k = 0; k < w->bodies.count; k++) {
@@ -429,7 +429,7 @@ static bool soft_overlaps(const world *w, const body *x, const question *q)
         vec3 p = w->pool.at[i].position;
         rounded ball = { { &p, 1 }, x->thickness, 0 };
         real near = q->around.radius + x->thickness;
-        if (!(point_way(q, p) > near * near) && cast_overlaps(q->thing, ball))
+        if (!(path_distance(q, p) > near * near) && cast_overlaps(q->thing, ball))
             return true;
     }
     return false;
@@ -450,7 +450,7 @@ static bool some_piece_senses(const tumble_world *w, const body_place *sensor,
 {
     vec3 *at = w->scratch + 3 * w->most_vertices;
     for (int k = 0; k < sensor->pieces; k++) {
-        question q = { .mask = sensor->mask, .ask = ask_overlap, .most = 1 };
+        question q = { .mask = sensor->mask, .ask = query_overlap, .most = 1 };
         q.thing = rounded_body(w, sensor->piece[k].number, at);
         q.around = ball_of_rounded(q.thing);
         if (is_sensed(w, sensor, x, &q)) return true;
@@ -461,7 +461,7 @@ static bool some_piece_senses(const tumble_world *w, const body_place *sensor,
 int tumble_body_sensed(const tumble_world *w, tumble_body sensor,
                        tumble_body *out, int most)
 {
-    const body_place *s = inside_look(w, sensor);
+    const body_place *s = inside_body_of(w, sensor);
     int n = 0;
     if (!s || !s->is_sensor) return 0;
     for (int k = 0; k < w->bodies.count; k++) {

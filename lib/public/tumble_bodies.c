@@ -228,7 +228,7 @@ bool tumble_body_remove(tumble_world *w, tumble_body b)
 
 bool tumble_body_exists(const tumble_world *w, tumble_body b)
 {
-    return inside_look(w, b) != NULL;
+    return inside_body_of(w, b) != NULL;
 }
 
 int tumble_world_bodies(const tumble_world *w, tumble_body *out, int most)

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 
 // Bodies that sleep are not asked: they touch as they did when they fell asleep.
-static bool lies_asleep(const world *w, int b)
+static bool sleeps_there(const world *w, int b)
 {
     return b < 0 || !body_moves(w, b);
 }
@@ -17,7 +17,8 @@ static const contact *pushing_contact(const world *w, const cache_pair *p)
 {
     if (p->entry < 0 || p->count == 0) return NULL;
     const contact *c = &w->rigid.cache.entry[p->entry].contact;
-    bool is_known = p->is_active || (lies_asleep(w, c->a) && lies_asleep(w, c->b));
+    bool is_known = p->is_active
+                 || (sleeps_there(w, c->a) && sleeps_there(w, c->b));
     return is_known && contact_load(c) > 0 ? c : NULL;
 }
 
@@ -45,7 +46,7 @@ tumble_contact inside_contact(const tumble_world *w, const contact *c,
     return t;
 }
 
-static tumble_contact told(const tumble_world *w, const contact *c)
+static tumble_contact public_contact(const tumble_world *w, const contact *c)
 {
     rigid_frame a = inside_frame(w, c->a), b = inside_frame(w, c->b);
     return inside_contact(w, c, &a, c->b < 0 ? NULL : &b, true);
@@ -56,14 +57,14 @@ int tumble_world_contacts(const tumble_world *w, tumble_contact *out, int most)
     if (!w) return 0;
     const contact_cache *cache = &w->world.rigid.cache;
     const cache_list *list[] = { &cache->pairs, &cache->walls };
-    const cache_list *still[] = { &cache->still_pairs, &cache->still_walls };
+    const cache_list *still[] = { &cache->still_pairs, &cache->static_planes };
     int n = 0;
     for (int i = 0; i < 2; i++)
         for (int k = 0, j = 0; k < list[i]->count || j < still[i]->count;) {
             const cache_pair *p = cache_next(list[i], &k, still[i], &j);
             const contact *c = pushing_contact(&w->world, p);
             if (!c) continue;
-            if (out && n < most) out[n] = told(w, c);
+            if (out && n < most) out[n] = public_contact(w, c);
             n++;
         }
     return n;
@@ -117,7 +118,7 @@ typedef struct {
 
 // Which comes first of pair i of those that were, and pair k of those that are now?
 // < 0: the old one, which has ended; 0: they are one pair.
-static int order_told(pairs_told was, int i, pairs_told now, int k)
+static int compare_contact_pairs(pairs_told was, int i, pairs_told now, int k)
 {
     if (i == was.count) return 1;
     return k == now.count ? -1 : by_bodies(&was.at[i], &now.at[k]);
@@ -128,7 +129,7 @@ static int differences(pairs_told was, pairs_told now, tumble_event *out,
 {
     int n = 0, i = 0, k = 0;
     while (i < was.count || k < now.count) {
-        int first = order_told(was, i, now, k);
+        int first = compare_contact_pairs(was, i, now, k);
         if (first != 0 && out && n < most)
             out[n] = event_of(first < 0 ? &was.at[i] : &now.at[k], first > 0);
         n += first != 0;

@@ -33,7 +33,7 @@ static struct skin place_skin(const tumble_world *w, const body_place *x, int k)
 int tumble_body_vertices(const tumble_world *w, tumble_body b, tumble_vec3 *out,
                          int most)
 {
-    const body_place *x = inside_look(w, b);
+    const body_place *x = inside_body_of(w, b);
     int n = 0;
     for (int k = 0; x && k < skins(x); k++) {
         struct skin s = place_skin(w, x, k);
@@ -46,7 +46,7 @@ int tumble_body_vertices(const tumble_world *w, tumble_body b, tumble_vec3 *out,
 const int *tumble_body_triangles(const tumble_world *w, tumble_body b,
                                  int *count)
 {
-    const body_place *x = inside_look(w, b);
+    const body_place *x = inside_body_of(w, b);
     if (count) *count = 0;
     if (!x || skins(x) != 1) return NULL;
     struct skin s = skin_of(w, x, 0);

@@ -80,7 +80,7 @@ int tumble_world_impulses(const tumble_world *w, tumble_impulse *out, int most)
 //> face-choose
 //>   A program that chooses sees a contact as tumble_world_contacts tells of
 //>   it, before it has pushed.
-static bool ask_program(void *chooser, const contact *c)
+static bool call_filter(void *chooser, const contact *c)
 {
     const tumble_world *w = chooser;
     const solver_body *now = w->world.rigid.now;
@@ -98,7 +98,7 @@ bool tumble_world_choose_contacts(tumble_world *w,
     world_host *host = &w->world.options.host;
     w->meets = meets;
     w->meets_context = context;
-    host->meets = meets ? ask_program : NULL;
+    host->meets = meets ? call_filter : NULL;
     host->chooser = w;
     return true;
 }

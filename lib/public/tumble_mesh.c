@@ -191,7 +191,7 @@ static void surround_body(surrounding *s, const presence *it)
                         .meets = surround_prism, .context = s };
     if (is_fast) q.way = it->way;
     s->lost = false;
-    surface_ask(&m->surface, &q);
+    surface_visit(&m->surface, &q);
     *seen = (sphere){ it->ball.center, is_fast || s->lost ? -1 : radius };
 }
 //<
@@ -313,7 +313,7 @@ static bool enters(void *surroundings, int b, vec3 from, vec3 to, plane *side)
         p.surface = &x->mesh->surface;
         if (!aabbs_meet(&p.surface->prisms.node[1], &q.thing)
             || !is_awaited(&w->world, b, x->piece[0].number)) continue;
-        surface_ask(p.surface, &q);
+        surface_visit(p.surface, &q);
     }
     bool is_below = !(p.first <= 1) && !p.is_inside;
     *side = is_below ? p.side_below : p.side;

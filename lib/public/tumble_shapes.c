@@ -103,7 +103,7 @@ static status make_cone(shape *made, real height, real radius, real mass)
     real square = radius * radius, along = 0.3 * mass * square;
     real across = 0.15 * mass * (square + height * height / 4);
     const real inertia[6] = { across, along, across, 0, 0, 0 };
-    done = weight_give(made, &pyramid, mass, none, inertia);
+    done = weight_set(made, &pyramid, mass, none, inertia);
     shape_free(&pyramid);
     return done;
 }
@@ -149,7 +149,7 @@ tumble_shape tumble_shape_weighed(tumble_world *w, tumble_shape s, double mass,
     shape made;
     if (!of) return (tumble_shape){ 0, 0 };
     status done = inertia
-                ? weight_give(&made, of->shape, mass, from_user(center), inertia)
+                ? weight_set(&made, of->shape, mass, from_user(center), inertia)
                 : status_fail("a weight without moments of inertia");
     return inside_keep(w, &made, done);
 }

@@ -9,7 +9,7 @@
 // Where a body is; zeros if there is none.
 static placement where_is(const tumble_world *w, tumble_body b)
 {
-    const body_place *x = inside_look(w, b);
+    const body_place *x = inside_body_of(w, b);
     placement p = { .is_static = true };
     if (x && x->mesh) inside_place(&p, x->mesh->pose);
     else if (x)       p = world_where(&w->world, x->piece[0].number);
@@ -19,7 +19,7 @@ static placement where_is(const tumble_world *w, tumble_body b)
 tumble_pose tumble_body_pose(const tumble_world *w, tumble_body b)
 {
     placement p = where_is(w, b);
-    if (!inside_look(w, b)) return (tumble_pose){ { 0, 0, 0 }, { 0, 0, 0, 0 } };
+    if (!inside_body_of(w, b)) return (tumble_pose){ { 0, 0, 0 }, { 0, 0, 0, 0 } };
     return (tumble_pose){ to_user(p.position), inside_quat(p.x, p.y, p.z) };
 }
 
@@ -40,14 +40,14 @@ tumble_vec3 tumble_body_spin(const tumble_world *w, tumble_body b)
 
 double tumble_body_mass(const tumble_world *w, tumble_body b)
 {
-    const body_place *x = inside_look(w, b);
+    const body_place *x = inside_body_of(w, b);
     if (!x || x->kind != TUMBLE_DYNAMIC) return 0;
     return w->world.body[x->piece[0].number].mass;
 }
 
 void *tumble_body_user(const tumble_world *w, tumble_body b)
 {
-    const body_place *x = inside_look(w, b);
+    const body_place *x = inside_body_of(w, b);
     return x ? x->user : NULL;
 }
 
@@ -65,7 +65,7 @@ bool tumble_body_set_user(tumble_world *w, tumble_body b, void *user)
 tumble_body_options tumble_body_get_options(const tumble_world *w,
                                             tumble_body b)
 {
-    const body_place *x = inside_look(w, b);
+    const body_place *x = inside_body_of(w, b);
     if (!x) return (tumble_body_options){ .group = 0 };
     int number = x->piece[0].number;
     const body *all = &w->world.body[number];
@@ -82,7 +82,7 @@ tumble_body_options tumble_body_get_options(const tumble_world *w,
 
 tumble_shape tumble_body_shape(const tumble_world *w, tumble_body b)
 {
-    const body_place *x = inside_look(w, b);
+    const body_place *x = inside_body_of(w, b);
     if (!x || x->mesh) return (tumble_shape){ 0, 0 };
     int k = x->piece[0].shape;
     return (tumble_shape){ (unsigned)k, slots_generation(&w->shapes, k) };
@@ -247,7 +247,7 @@ bool tumble_body_sleep(tumble_world *w, tumble_body b)
 
 bool tumble_body_is_awake(const tumble_world *w, tumble_body b)
 {
-    const body_place *x = inside_look(w, b);
+    const body_place *x = inside_body_of(w, b);
     return x && x->kind != TUMBLE_STATIC
         && !w->world.sleep.asleep[x->piece[0].number];
 }
@@ -302,7 +302,7 @@ bool tumble_body_push_vertex(tumble_world *w, tumble_body b, int i,
 tumble_vec3 tumble_body_vertex_velocity(const tumble_world *w, tumble_body b,
                                         int i)
 {
-    const body_place *x = inside_look(w, b);
+    const body_place *x = inside_body_of(w, b);
     const tumble_vec3 none = { 0, 0, 0 };
     if (!x || x->mesh || i < 0) return none;
     int number = x->piece[0].number;
@@ -337,7 +337,7 @@ bool tumble_body_set_stretch(tumble_world *w, tumble_body b, double compliance)
 
 tumble_vec3 tumble_body_vertex(const tumble_world *w, tumble_body b, int i)
 {
-    const body_place *x = inside_look(w, b);
+    const body_place *x = inside_body_of(w, b);
     const tumble_vec3 none = { 0, 0, 0 };
     if (!x || i < 0) return none;
     if (x->mesh)

@@ -34,7 +34,7 @@ bool tumble_body_set_gravity_scale(tumble_world *w, tumble_body b, double scale)
 
 double tumble_body_gravity_scale(const tumble_world *w, tumble_body b)
 {
-    const body_place *x = inside_look(w, b);
+    const body_place *x = inside_body_of(w, b);
     return x ? w->world.body[x->piece[0].number].gravity : 0;
 }
 //<
@@ -57,7 +57,7 @@ bool tumble_body_set_locked(tumble_world *w, tumble_body b, unsigned axes)
 
 unsigned tumble_body_locked(const tumble_world *w, tumble_body b)
 {
-    const body_place *x = inside_look(w, b);
+    const body_place *x = inside_body_of(w, b);
     return x ? inside_locked(w, x) : 0;
 }
 //<
@@ -86,7 +86,7 @@ bool tumble_body_set_sensor(tumble_world *w, tumble_body b, bool is_sensor)
 
 bool tumble_body_is_sensor(const tumble_world *w, tumble_body b)
 {
-    const body_place *x = inside_look(w, b);
+    const body_place *x = inside_body_of(w, b);
     return x && x->is_sensor;
 }
 //<

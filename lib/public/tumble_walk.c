@@ -48,7 +48,7 @@ static rounded capsule_of(const walk *k, vec3 end[2])
 }
 
 // False: it went all of the way.  Else *left is what is left of it, 0 to 1.
-static bool go_until_met(walk *k, vec3 way, real *left, tumble_hit *hit)
+static bool move_until_hit(walk *k, vec3 way, real *left, tumble_hit *hit)
 {
     vec3 end[2];
     real length = vec3_length(way), ahead = length + 2 * k->apart;
@@ -95,7 +95,7 @@ static bool leads_out(vec3 way, const vec3 *wall, int walls)
     return true;
 }
 
-static vec3 along_walls(vec3 way, const vec3 *wall, int walls)
+static vec3 slide_along(vec3 way, const vec3 *wall, int walls)
 {
     if (leads_out(way, wall, walls)) return way;
     for (int i = 0; i < walls; i++) {
@@ -133,16 +133,16 @@ static vec3 lifted(const walk *k, vec3 way, const vec3 *ground, int grounds)
 }
 
 // Goes a level way; false: it did not go all of it.
-static bool go_level(walk *k, vec3 way)
+static bool move_level(walk *k, vec3 way)
 {
     vec3 wall[BENDS], ground[BENDS];
     int walls = 0, grounds = 0;
     for (int i = 0; i < BENDS; i++) {
         tumble_hit h;
         real left;
-        vec3 v = along_walls(way, wall, walls);
+        vec3 v = slide_along(way, wall, walls);
         v = lifted(k, v, ground, grounds);
-        if (!go_until_met(k, v, &left, &h)) return walls == 0;
+        if (!move_until_hit(k, v, &left, &h)) return walls == 0;
         way = vec3_scale(left, way);
         vec3 n = from_user(h.normal), upright = level_part(k, n);
         real length = vec3_length(upright);
@@ -173,7 +173,7 @@ static bool is_level(const walk *k, const tumble_hit *h)
     return vec3_dot(from_user(h->normal), k->up) >= k->level;
 }
 
-static bool bears(const walk *k, const tumble_hit *h, real highest)
+static bool supports(const walk *k, const tumble_hit *h, real highest)
 {
     vec3 n = from_user(h->normal), p = from_user(h->point);
     real rise = vec3_dot(p, k->up) - foot_height(k), r = k->how->radius;
@@ -194,8 +194,8 @@ static bool land(walk *k, real most, real below)
     vec3 from = k->at;
     tumble_hit h;
     real left, highest = k->height + k->how->step + SMALL * k->how->radius;
-    k->stands = go_until_met(k, vec3_scale(-most, k->up), &left, &h)
-             && bears(k, &h, k->how->step + below)
+    k->stands = move_until_hit(k, vec3_scale(-most, k->up), &left, &h)
+             && supports(k, &h, k->how->step + below)
              && vec3_dot(from_user(h.point), k->up) <= highest;
     if (k->stands)  k->ground = h;
     else            k->at = from;
@@ -212,11 +212,11 @@ static void tread(walk *k, vec3 way)
     vec3 from = k->at;
     tumble_hit h;
     real left, step = k->how->step, below = k->height - foot_height(k);
-    bool is_free = go_level(k, way);
+    bool is_free = move_level(k, way);
     land(k, step + k->apart, 0);
     if (is_free || !(step > 0)) return;
-    go_until_met(&over, vec3_scale(step + below, k->up), &left, &h);
-    go_level(&over, way);
+    move_until_hit(&over, vec3_scale(step + below, k->up), &left, &h);
+    move_level(&over, way);
     real further = vec3_dot(vec3_sub(over.at, k->at), way);
     if (!(further > SMALL * vec3_length_squared(way))) return;
     real raised = vec3_dot(vec3_sub(over.at, from), k->up);
@@ -230,8 +230,8 @@ static void fly(walk *k, vec3 way)
     for (int walls = 0; walls < BENDS; walls++) {
         tumble_hit h;
         real left;
-        if (!go_until_met(k, along_walls(way, wall, walls), &left, &h)) return;
-        if (vec3_dot(way, k->up) < 0 && bears(k, &h, k->how->step)) {
+        if (!move_until_hit(k, slide_along(way, wall, walls), &left, &h)) return;
+        if (vec3_dot(way, k->up) < 0 && supports(k, &h, k->how->step)) {
             k->ground = h;
             k->stands = true;
             return;
@@ -277,13 +277,13 @@ static bool begin_walk(walk *k, const tumble_world *w,
 // What it stood on, as it is now, has moved by so much (m).
 static vec3 carried(const walk *k, const tumble_walk *from)
 {
-    if (!inside_look(k->w, from->ground)) return (vec3){ 0, 0, 0 };
+    if (!inside_body_of(k->w, from->ground)) return (vec3){ 0, 0, 0 };
     tumble_pose now = tumble_body_pose(k->w, from->ground);
     return vec3_sub(from_user(tumble_pose_to_world(now, from->foot)),
                     from_user(from->point));
 }
 
-static tumble_walk tell_walk(const walk *k)
+static tumble_walk walk_result(const walk *k)
 {
     tumble_walk x = { .position = to_user(k->at), .stands = k->stands };
     if (!k->stands) return x;
@@ -316,12 +316,12 @@ bool tumble_world_walk(const tumble_world *w, tumble_walker how,
         tread(&k, flat);
     } else {
         if (rise > 0) fly(&k, up);
-        go_level(&k, flat);
+        move_level(&k, flat);
     }
     if (!k.stands && rise < 0) fly(&k, up);
     push_out(&k);
     if (!vec3_is_finite(k.at)) return false;
-    if (to) *to = tell_walk(&k);
+    if (to) *to = walk_result(&k);
     return true;
 }
 //<

@@ -63,7 +63,7 @@ typedef struct {
     vec3 normal;
 } passage;
 
-static void come_in(passage *p, real from, real to, vec3 normal)
+static void clip_entry(passage *p, real from, real to, vec3 normal)
 {
     if (from > p->from) p->from = from, p->normal = normal;
     p->to = real_min(p->to, to);
@@ -73,8 +73,8 @@ static void pass_ends(passage *p, const axial *at, real speed)
 {
     vec3 down = vec3_scale(-1, at->axis);
     real low = -at->up / speed, high = (at->length - at->up) / speed;
-    if (speed > 0)      come_in(p, low, high, down);
-    else if (speed < 0) come_in(p, high, low, at->axis);
+    if (speed > 0)      clip_entry(p, low, high, down);
+    else if (speed < 0) clip_entry(p, high, low, at->axis);
     else if (!(at->up >= 0 && at->up <= at->length)) p->to = -1;
 }
 
@@ -95,7 +95,7 @@ static void pass_side(passage *p, const axial *at, vec3 v, real radius)
     real root = b > 0 ? -b - sqrt(left) : -b + sqrt(left);
     real one = root / a, other = root != 0 ? c / root : 0;
     real from = real_min(one, other), to = real_max(one, other);
-    come_in(p, from, to, unit(vec3_add_scaled(at->off, from, v)));
+    clip_entry(p, from, to, unit(vec3_add_scaled(at->off, from, v)));
 }
 
 static cast_result ray_cylinder(vec3 from, vec3 way, rounded c)

@@ -13,7 +13,7 @@ typedef struct {
     real slack;         // m, what rounding may move: nearer counts as touching
 } view;
 
-static vec3 seen(const view *w, vec3 p)
+static vec3 project_on_view(const view *w, vec3 p)
 {
     vec3 r = vec3_sub(p, w->origin);
     return vec3_make(vec3_dot(r, w->x), vec3_dot(r, w->y), vec3_dot(r, w->z));
@@ -98,18 +98,18 @@ vec3 face_area(const shape *s, const vec3 *at, int f)
 // their ratio is the cosine of the angle between the two, squared.
 typedef struct {
     real whole, along;
-} look;
+} cosine_parts;
 
-static look face_look(const shape *s, const vec3 *at, int f, vec3 d)
+static cosine_parts face_cosine(const shape *s, const vec3 *at, int f, vec3 d)
 {
     vec3 m = face_area(s, at, f);
     real along = vec3_dot(m, d);
-    return (look){ vec3_dot(m, m), along > 0 ? along * along : 0 };
+    return (cosine_parts){ vec3_dot(m, m), along > 0 ? along * along : 0 };
 }
 
-int face_looks(const shape *s, const vec3 *at, int f, vec3 d)
+int face_is_along(const shape *s, const vec3 *at, int f, vec3 d)
 {
-    look l = face_look(s, at, f, d);
+    cosine_parts l = face_cosine(s, at, f, d);
     return l.along > 0 && l.along >= (1 - LEAN_SINE * LEAN_SINE) * l.whole;
 }
 
@@ -122,7 +122,7 @@ static int belongs(const patch *p, int h)
 {
     int f = p->shape->mesh.half[h].face;
     if (f < 0) return 0;
-    look l = face_look(p->shape, p->at, f, p->side);
+    cosine_parts l = face_cosine(p->shape, p->at, f, p->side);
     return l.along > 0 && l.along >= (1 - MANIFOLD_TURN * MANIFOLD_TURN) * l.whole;
 }
 //<
@@ -181,7 +181,7 @@ static void patch_add(patch *p, int vertex, const view *w)
     if (p->count == PATCH_CORNERS)
         patch_drop(p, flattest(p, 1, p->count - 2));
     p->vertex[p->count] = vertex;
-    p->corner[p->count++] = seen(w, p->at[vertex]);
+    p->corner[p->count++] = project_on_view(w, p->at[vertex]);
 }
 
 // Leaves only corners that stand out, and finds the edges' inward normals.
@@ -282,12 +282,12 @@ static int face_ahead(const patch *p, int v)
 {
     const mesh *m = &p->shape->mesh;
     int start = m->vertex_half[v], h = start, best = -1;
-    look most = { 1, 1 - p->lean };
+    cosine_parts most = { 1, 1 - p->lean };
     if (start < 0) return -1;
     do {
         int f = m->half[h].face;
-        look l = { 0, 0 };
-        if (f >= 0) l = face_look(p->shape, p->at, f, p->ahead);
+        cosine_parts l = { 0, 0 };
+        if (f >= 0) l = face_cosine(p->shape, p->at, f, p->ahead);
         if (l.along * most.whole > most.along * l.whole) {
             most = l;
             best = h;
@@ -385,9 +385,9 @@ static void footing_in(footing *g, const patch *p, const view *w, int f,
                        vec3 point)
 {
     const int *v = &p->shape->face[3 * f];
-    vec3 e0 = vec3_sub(seen(w, p->at[v[0]]), point);
-    vec3 e1 = vec3_sub(seen(w, p->at[v[1]]), point);
-    vec3 e2 = vec3_sub(seen(w, p->at[v[2]]), point);
+    vec3 e0 = vec3_sub(project_on_view(w, p->at[v[0]]), point);
+    vec3 e1 = vec3_sub(project_on_view(w, p->at[v[1]]), point);
+    vec3 e2 = vec3_sub(project_on_view(w, p->at[v[2]]), point);
     real a0 = cross2(e1, e2), a1 = cross2(e2, e0), a2 = cross2(e0, e1);
     real area = a0 + a1 + a2, s = 1 / area;
     real w0 = s * a0, w1 = s * a1, w2 = s * a2, least = w0 < w1 ? w0 : w1;
@@ -484,7 +484,7 @@ static void at_rim(feature_point *f, const patch *p, const view *w, int face,
 {
     const int *v = &p->shape->face[3 * face];
     int from = v[(k + 1) % 3], to = v[(k + 2) % 3];
-    vec3 x = seen(w, p->at[from]), y = seen(w, p->at[to]);
+    vec3 x = project_on_view(w, p->at[from]), y = project_on_view(w, p->at[to]);
     real t = part_between(x, y, point);
     *f = between(from, to, t);
     *z = x.z + t * (y.z - x.z);
@@ -492,8 +492,8 @@ static void at_rim(feature_point *f, const patch *p, const view *w, int face,
 
 // The point of the patch, a polygon or an edge, across from a point over it,
 // and its height.  face: where to begin the search; where it ended.
-static void at_foot(feature_point *f, const patch *p, const view *w,
-                    vec3 point, int *face, real *z)
+static void project_on_patch(feature_point *f, const patch *p, const view *w,
+                             vec3 point, int *face, real *z)
 {
     if (p->face < 0) {
         real t = part_between(p->corner[0], p->corner[1], point);
@@ -600,7 +600,7 @@ static void meet_corners(const patch *p, const patch *q, depths inside,
             foot = at_corner(q, j);
             z = q->corner[j].z;
         } else {
-            at_foot(&foot, q, w, p->corner[i], &face, &z);
+            project_on_patch(&foot, q, w, p->corner[i], &face, &z);
         }
         real gap = sign * (p->corner[i].z - z);
         meet(m, sign > 0 ? &self : &foot, sign > 0 ? &foot : &self, gap,
@@ -873,7 +873,7 @@ static manifold find_rims(const collider *a, const collider *b,
     rim_pair p;
     vec3 n = nearest->normal;
     touch pair = nearest->at;
-    query_see_rims(&p, a, b, n);
+    query_move_to_rims(&p, a, b, n);
     query_touch_cores(a, b, &p, n, &pair);
     collider x = query_core(a, &p.a), y = query_core(b, &p.b);
     manifold m = find_round(&x, &y, pair, n, margin, turn);

@@ -65,7 +65,7 @@ vec3 face_area(const shape *s, const vec3 *at, int f);
 
 // Does it look along the unit vector d, to within 8 degrees (cosine squared
 // 0.98)?
-int face_looks(const shape *s, const vec3 *at, int f, vec3 d);
+int face_is_along(const shape *s, const vec3 *at, int f, vec3 d);
 
 #endif
 //<

@@ -98,7 +98,7 @@ static query_result nearest_hulls(const collider *a, const collider *b,
 
 //> query-rims
 //>   What the search found on the prism of a cylinder is moved out to its rim.
-void query_see_rims(rim_pair *p, const collider *a, const collider *b, vec3 n)
+void query_move_to_rims(rim_pair *p, const collider *a, const collider *b, vec3 n)
 {
     rim_towards(a->shape, a->at, vec3_scale(-1, n), &p->a);
     rim_towards(b->shape, b->at, n, &p->b);
@@ -136,8 +136,8 @@ static bool stays_flat(const rim_pair *was, const rim_pair *now)
 
 // A side that faces the other body is asked as the capsule that it belongs to: over
 // an edge, or along another cylinder, its normal turns steadily.
-static bool ask_sides(const collider *a, const collider *b, query_result *r,
-                      const rim_pair *p)
+static bool query_sides(const collider *a, const collider *b, query_result *r,
+                        const rim_pair *p)
 {
     query_cache none = { .count = 0 };
     if (!p->a.is_flat && !p->b.is_flat) return false;
@@ -147,7 +147,7 @@ static bool ask_sides(const collider *a, const collider *b, query_result *r,
     query_result side = nearest_hulls(&x, &y, HUGE_VAL, &none);
     rim_pair now;
     if (!side.near) return false;
-    query_see_rims(&now, a, b, side.normal);
+    query_move_to_rims(&now, a, b, side.normal);
     if (!stays_flat(p, &now)) return false;
     *r = side;
     return true;
@@ -161,8 +161,8 @@ static query_result nearest_rims(const collider *a, const collider *b,
     if (!r.near) r.at.gap -= sags;
     if (!r.near) return r;
     rim_pair p;
-    query_see_rims(&p, a, b, r.normal);
-    if (ask_sides(a, b, &r, &p)) query_see_rims(&p, a, b, r.normal);
+    query_move_to_rims(&p, a, b, r.normal);
+    if (query_sides(a, b, &r, &p)) query_move_to_rims(&p, a, b, r.normal);
     query_touch_cores(a, b, &p, r.normal, &r.at);
     r.near = r.at.gap <= margin;
     return r;

@@ -72,7 +72,7 @@ typedef struct {
     rim_core a, b;
 } rim_pair;
 
-void query_see_rims(rim_pair *p, const collider *a, const collider *b, vec3 n);
+void query_move_to_rims(rim_pair *p, const collider *a, const collider *b, vec3 n);
 
 // What is touched of a body: the core of that rim, or the body if none is seen.
 collider query_core(const collider *c, const rim_core *r);

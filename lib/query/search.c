@@ -223,7 +223,7 @@ static ending proved(search *s, corner *w, real margin)
 }
 
 // The nearest part of so many corners becomes the one of now, if it is nearer.
-static bool comes_nearer(search *s, int count)
+static bool takes_nearer(search *s, int count)
 {
     nearest_part(s->next, s->at, s->now->of, count);
     part *p = s->next;
@@ -238,7 +238,7 @@ static ending run(search *s, real margin)
 {
     s->vv = HUGE_VAL;
     const corner *first = &s->at[s->now->of[0]];
-    if (!comes_nearer(s, s->now->count)) return UNSURE;
+    if (!takes_nearer(s, s->now->count)) return UNSURE;
     if (s->now->count < 4 && is_doubtful(s, first, s->vv)) {
         s->now = s->next;       // chapter 4 goes on from all corners
         return UNSURE;
@@ -251,7 +251,7 @@ static ending run(search *s, real margin)
         support(s, p->v, &s->at[p->of[p->count - 1]], w);
         if (judged(s, w->at, margin) != UNSURE) return proved(s, w, margin);
         p->of[p->count] = place;
-        if (!comes_nearer(s, p->count + 1)) return UNSURE;
+        if (!takes_nearer(s, p->count + 1)) return UNSURE;
     }
     return UNSURE;
 }

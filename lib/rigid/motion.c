@@ -104,7 +104,7 @@ static int moves_of(const motion_basis *basis, const motion *d)
 //>   without a sine: the tangent of half an angle is a short series.
 // tan(x / 2) / x, from the square of x, a small part of a turn, by its series.  At
 // MOTION_FURTHEST it is good to 5e-9; of a wild turn it must stay a number.
-static real half_share(real a)
+static real half_tangent_ratio(real a)
 {
     a = real_min(a, 1);
     return (1 + a * (1.0 / 12 + a * (1.0 / 120 + a * (17.0 / 20160)))) / 2;
@@ -112,7 +112,7 @@ static real half_share(real a)
 
 static vec3 half_tangent(vec3 t)
 {
-    return vec3_scale(half_share(vec3_length_squared(t)), t);
+    return vec3_scale(half_tangent_ratio(vec3_length_squared(t)), t);
 }
 
 // All axes are turned by the angle 2 arctan(|t| / w) about t (Cayley).
@@ -201,7 +201,7 @@ static void turn_plane(turning *x, int k, int i, int j, real inverse, real h)
     real *v = x->turned, *l = x->angular;
     real by = h * inverse * l[k], w = x->w, a = v[i], b = l[i];
     if (!(fabs(inverse) > SAME_MOMENTS * x->inverse[k])) return;
-    real t = by * half_share(by * by), twice = 2 * t / (1 + t * t);
+    real t = by * half_tangent_ratio(by * by), twice = 2 * t / (1 + t * t);
     x->w -= t * v[k];
     v[k] += t * w;
     v[i] += t * v[j];
@@ -330,8 +330,8 @@ void motion_straighten(const rigid4 *f, rigid_frame *frame)
         }
 }
 
-void motion_put(particle *p, const rigid_frame *frame,
-                const motion_basis *basis, const motion *u, real h)
+void motion_write(particle *p, const rigid_frame *frame,
+                  const motion_basis *basis, const motion *u, real h)
 {
     vec3 straight = motion_straight(u);
     vec3 turn = motion_rotation(basis, u);

@@ -161,8 +161,8 @@ void motion_straighten(const rigid4 *f, rigid_frame *frame);
 
 // The end of a frame: the particles stand as the frame says, with the velocity u
 // in its basis, written as `previous`, a substep of h (s) ago.
-void motion_put(particle *p, const rigid_frame *frame,
-                const motion_basis *basis, const motion *u, real h);
+void motion_write(particle *p, const rigid_frame *frame,
+                  const motion_basis *basis, const motion *u, real h);
 //<
 
 //> motion-frame-declare-inside

@@ -105,8 +105,8 @@ static bool is_inside(const shape *s, vec3 x)
     return true;
 }
 
-status weight_give(shape *s, const shape *of, real mass, vec3 center,
-                   const real inertia[6])
+status weight_set(shape *s, const shape *of, real mass, vec3 center,
+                  const real inertia[6])
 {
     assert(s && of && inertia);
     *s = (shape){ .kind = of->kind };

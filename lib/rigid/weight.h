@@ -28,8 +28,8 @@ status weight_copy(shape *s, const shape *of);
 // tensor.  Fails, and leaves *s empty: a shape that is not rigid, a number out
 // of range, a centre that is not inside, moments that no solid has (each
 // principal one is less than the sum of the two others), no memory.
-status weight_give(shape *s, const shape *of, real mass, vec3 center,
-                   const real inertia[6]);
+status weight_set(shape *s, const shape *of, real mass, vec3 center,
+                  const real inertia[6]);
 
 // A body of several pieces.  First their weights are added, each with its place
 // in the body, to one of zeros; then the mean is taken; and then it is asked how

@@ -19,14 +19,14 @@ typedef struct {
     const cell_range *in;       // NULL, or nothing else is looked at
     int from;                   // the end that is asked first
     bool tells;                 // its witnesses are read as they are found
-} frame_look;
+} frame_search;
 
 static int cells_in(cell_range r)
 {
     return (r.right - r.left) * (r.bottom - r.top);
 }
 
-static cell_part whole_soft(const frame_look *l, int b)
+static cell_part whole_soft(const frame_search *l, int b)
 {
     const body *x = &l->f->body[b];
     return (cell_part){ { b, 0, 0, x->shape->columns - 1, x->shape->rows - 1 },
@@ -48,7 +48,7 @@ static void halve(cell_part p, cell_part half[2])
     half[1].box = are_boxed ? p.box + 2 * cells_in(half[0].cells) : -1;
 }
 
-static int vertex_at(const frame_look *l, int b, int column, int row)
+static int vertex_at(const frame_search *l, int b, int column, int row)
 {
     const body *x = &l->f->body[b];
     return x->first + row * x->shape->columns + column;
@@ -69,7 +69,7 @@ static vec3 high_corner(vec3 a, vec3 b)
                      real_max(a.z, b.z));
 }
 
-static void box_cells(const frame_look *l, cell_range r, int e, swept_box *box)
+static void box_cells(const frame_search *l, cell_range r, int e, swept_box *box)
 {
     const vec3 *at = l->c->at[e];
     vec3 low = at[vertex_at(l, r.body, r.left, r.top)], high = low;
@@ -84,7 +84,7 @@ static void box_cells(const frame_look *l, cell_range r, int e, swept_box *box)
     box->high[e] = high;
 }
 
-static void box_part(const frame_look *l, cell_part p)
+static void box_part(const frame_search *l, cell_part p)
 {
     cell_part half[2];
     swept_box *box = &l->c->box[p.box];
@@ -103,7 +103,7 @@ static void box_part(const frame_look *l, cell_part p)
 }
 
 // By how much, and along which axis?  m, 0: not.
-static real gap_of_boxes(const frame_look *l, cell_part a, cell_part b, vec3 *n)
+static real gap_of_boxes(const frame_search *l, cell_part a, cell_part b, vec3 *n)
 {
     const swept_box *x = &l->c->box[a.box], *y = &l->c->box[b.box];
     vec3 over = low_corner(vec3_sub(x->low[0], y->high[0]),
@@ -125,7 +125,7 @@ static bool is_certified(const soft_frame *f, int b)
 }
 
 // Only if they are asked for.
-static void box_all(const frame_look *l)
+static void box_all(const frame_search *l)
 {
     const soft_frame *f = l->f;
     for (int n = 0; n < f->softs && !l->c->is_boxed; n++)
@@ -140,7 +140,7 @@ static void box_all(const frame_look *l)
 //>   out, it gives every pair one.
 // The projection (x, y) is the one that makes the mean cell a square, at the
 // middle of the frame: times a number > 0.
-static bool projection_of(const frame_look *l, cell_range r, vec3 normal[2])
+static bool projection_of(const frame_search *l, cell_range r, vec3 normal[2])
 {
     vec3 along = { 0, 0, 0 }, down = along;
     for (int e = 0; e < ENDS; e++) {
@@ -217,7 +217,7 @@ static cell_range range_around(cell_range a, cell_range b)
                          int_max(a.bottom, b.bottom) };
 }
 
-static void tell(const certificate *c, witness w)
+static void report_witness(const certificate *c, witness w)
 {
     cell_range *r = &w.set[0].part.cells;
     if (w.kind == WITNESS_ASKED) return;
@@ -226,17 +226,17 @@ static void tell(const certificate *c, witness w)
     c->read(c->to, &w);
 }
 
-static void keep_witness(const frame_look *l, const witness *w)
+static void keep_witness(const frame_search *l, const witness *w)
 {
     certificate *c = l->c;
-    if (l->tells) tell(c, *w);
+    if (l->tells) report_witness(c, *w);
     if (c->keeps < c->room) c->kept[c->keeps] = *w;
     c->keeps++;
 }
 
 // m, not above 0: it is not spread out.  If two vertices go from each other by
 // d, then w . J w changes by no more than sqrt(2 (p . p + q . q)) d.
-static real slack_of_spread(const frame_look *l, cell_range r,
+static real slack_of_spread(const frame_search *l, cell_range r,
                             const vec3 normal[2])
 {
     real least = HUGE_VAL;
@@ -254,7 +254,7 @@ static real slack_of_spread(const frame_look *l, cell_range r,
 }
 
 // The range around two parts.
-static bool is_spread_out(const frame_look *l, witness_kind kind, cell_part a,
+static bool is_spread_out(const frame_search *l, witness_kind kind, cell_part a,
                           cell_part b)
 {
     witness w = { .kind = kind, .set = { { .part = a }, { .part = b } } };
@@ -270,7 +270,7 @@ static bool is_spread_out(const frame_look *l, witness_kind kind, cell_part a,
 //> certificate-windows
 //>   A window is a part with two columns and rows more, so that parts that touch
 //>   are together in one. What is no patch is tried in halves.
-static void mark_window(const frame_look *l, cell_range r, int right,
+static void mark_window(const frame_search *l, cell_range r, int right,
                         int bottom)
 {
     for (int j = r.top; j < r.bottom; j++)
@@ -281,7 +281,7 @@ static void mark_window(const frame_look *l, cell_range r, int right,
         }
 }
 
-static void find_windows(const frame_look *l, cell_part p)
+static void find_windows(const frame_search *l, cell_part p)
 {
     enum { MORE = 2 };
     cell_part half[2], all = whole_soft(l, p.cells.body), window = p;
@@ -298,7 +298,7 @@ static void find_windows(const frame_look *l, cell_part p)
 }
 
 // Is there a window that has all of it?
-static bool is_in_window(const frame_look *l, cell_range r)
+static bool is_in_window(const frame_search *l, cell_range r)
 {
     const certified_vertex *v
         = &l->c->of[vertex_at(l, r.body, r.left, r.top)];
@@ -323,7 +323,7 @@ static void lower_to(lowest *to, vec3 x, vec3 n)
 }
 
 // What is furthest against n.
-static vec3 lowest_of(const frame_look *l, int e, const certified_set *s,
+static vec3 lowest_of(const frame_search *l, int e, const certified_set *s,
                       vec3 n)
 {
     const vec3 *at = l->c->at[e];
@@ -344,7 +344,7 @@ static vec3 lowest_of(const frame_look *l, int e, const certified_set *s,
 }
 
 // How far is the first set over the second, along n, and where least?
-static real gap_of(const frame_look *l, const certified_set set[2], int ends,
+static real gap_of(const frame_search *l, const certified_set set[2], int ends,
                    vec3 n, vec3 *where)
 {
     real gap = HUGE_VAL;
@@ -360,7 +360,7 @@ static real gap_of(const frame_look *l, const certified_set set[2], int ends,
 }
 
 // Of triangles, and exactly: unit.
-static vec3 nearest_difference(const frame_look *l, const certified_set set[2],
+static vec3 nearest_difference(const frame_search *l, const certified_set set[2],
                                int ends)
 {
     vec3 d[ENDS * FACET * FACET], origin = { 0, 0, 0 };
@@ -375,7 +375,7 @@ static vec3 nearest_difference(const frame_look *l, const certified_set set[2],
     return vec3_unit(g.axis);
 }
 
-static vec3 middle_of_set(const frame_look *l, const certified_set *s)
+static vec3 middle_of_set(const frame_search *l, const certified_set *s)
 {
     cell_range r = s->part.cells;
     int first = s->vertex[0], last = s->vertex[int_max(s->count - 1, 0)];
@@ -389,13 +389,13 @@ static vec3 middle_of_set(const frame_look *l, const certified_set *s)
 }
 
 // m, not above 0: it does not part them.
-static real slack_of_plane(const frame_look *l, const certified_set set[2],
+static real slack_of_plane(const frame_search *l, const certified_set set[2],
                            vec3 n, vec3 *where)
 {
     return gap_of(l, set, ENDS, n, where) / vec3_length(n) - l->c->rounding;
 }
 
-static bool keep_plane(const frame_look *l, const certified_set set[2], vec3 n,
+static bool keep_plane(const frame_search *l, const certified_set set[2], vec3 n,
                        real slack)
 {
     witness w = { WITNESS_PLANE, { set[0], set[1] }, { n }, slack };
@@ -404,7 +404,7 @@ static bool keep_plane(const frame_look *l, const certified_set set[2], vec3 n,
     return true;
 }
 
-static bool has_plane(const frame_look *l, const certified_set set[2])
+static bool has_plane(const frame_search *l, const certified_set set[2])
 {
     enum { STEPS = 8 };
     vec3 least = { 0, 0, 0 };
@@ -426,7 +426,7 @@ static bool has_plane(const frame_look *l, const certified_set set[2])
 //> certificate-triangles
 //>   What has no plane will be parted; what had none when the frame began is
 //>   left out.
-static void leave_out(const frame_look *l, const certified_set set[2])
+static void leave_out(const frame_search *l, const certified_set set[2])
 {
     l->c->left_out++;
     for (int i = 0; i < 2 * FACET; i++) {
@@ -436,23 +436,23 @@ static void leave_out(const frame_look *l, const certified_set set[2])
 }
 
 // More clash than there are vertices: no move of them parts so many.
-static bool is_hopeless(const certificate *c)
+static bool clashes_too_much(const certificate *c)
 {
     return c->clashes > c->vertices;
 }
 
-static bool is_beside_crossed(const frame_look *l, const certified_set *s)
+static bool is_beside_crossed(const frame_search *l, const certified_set *s)
 {
     bool some = false;
     for (int i = 0; i < s->count; i++) some |= l->c->of[s->vertex[i]].crossed;
     return some;
 }
 
-static void part_facets(const frame_look *l, certified_set a, certified_set b)
+static void part_facets(const frame_search *l, certified_set a, certified_set b)
 {
     certificate *c = l->c;
     certified_set set[2] = { a, b };
-    if (is_hopeless(c) || has_plane(l, set)) return;
+    if (clashes_too_much(c) || has_plane(l, set)) return;
     vec3 where, n = nearest_difference(l, set, 1);
     real gap = gap_of(l, set, 1, n, &where);
     bool is_crossed = !(gap > c->rounding);
@@ -467,7 +467,7 @@ static void part_facets(const frame_look *l, certified_set a, certified_set b)
     c->clashes++;
 }
 
-static certified_set triangle_of(const frame_look *l, cell_range r, int k)
+static certified_set triangle_of(const frame_search *l, cell_range r, int k)
 {
     const body *b = &l->f->body[r.body];
     int cell = r.top * (b->shape->columns - 1) + r.left;
@@ -493,7 +493,7 @@ static certified_set without(certified_set a, const certified_set *b)
 // Triangles that share a vertex meet there: the other edge of one must not meet
 // the other.  Two that share an edge meet nowhere else, but where they lie flat
 // on each other.
-static void part_triangles(const frame_look *l, certified_set a,
+static void part_triangles(const frame_search *l, certified_set a,
                            certified_set b)
 {
     certified_set x = without(a, &b), y = without(b, &a);
@@ -502,7 +502,7 @@ static void part_triangles(const frame_look *l, certified_set a,
     if (x.count < FACET) part_facets(l, a, y);
 }
 
-static void part_cells(const frame_look *l, cell_range a, cell_range b)
+static void part_cells(const frame_search *l, cell_range a, cell_range b)
 {
     bool is_one = a.body == b.body && a.left == b.left && a.top == b.top;
     for (int i = 0; i < 2; i++)
@@ -513,7 +513,7 @@ static void part_cells(const frame_look *l, cell_range a, cell_range b)
 
 //> certificate-look
 //>   All pairs of triangles are looked at, from the largest parts down.
-static bool are_parted(const frame_look *l, cell_part p, cell_part q)
+static bool are_parted(const frame_search *l, cell_part p, cell_part q)
 {
     cell_range a = p.cells, b = q.cells;
     certified_set set[2] = { { .part = p }, { .part = q } };
@@ -532,33 +532,33 @@ static bool are_parted(const frame_look *l, cell_part p, cell_part q)
     return has_plane(l, set);
 }
 
-static bool is_in_look(const frame_look *l, cell_range r)
+static bool is_in_search(const frame_search *l, cell_range r)
 {
     return !l->in
         || (r.left < l->in->right && l->in->left < r.right
             && r.top < l->in->bottom && l->in->top < r.bottom);
 }
 
-static void look_between(const frame_look *l, cell_part a, cell_part b)
+static void search_between(const frame_search *l, cell_part a, cell_part b)
 {
     cell_part half[2];
     int cells = cells_in(a.cells), others = cells_in(b.cells);
-    if (is_hopeless(l->c) || !is_in_look(l, a.cells) || !is_in_look(l, b.cells)
-        || are_parted(l, a, b)) return;
+    if (clashes_too_much(l->c) || !is_in_search(l, a.cells)
+        || !is_in_search(l, b.cells) || are_parted(l, a, b)) return;
     if (cells == 1 && others == 1) {
         part_cells(l, a.cells, b.cells);
         return;
     }
     halve(cells >= others ? a : b, half);
     for (int k = 0; k < 2; k++)
-        look_between(l, cells >= others ? half[k] : a,
-                     cells >= others ? b : half[k]);
+        search_between(l, cells >= others ? half[k] : a,
+                       cells >= others ? b : half[k]);
 }
 
-static void look_within(const frame_look *l, cell_part p)
+static void search_within(const frame_search *l, cell_part p)
 {
     cell_part half[2];
-    if (!is_in_look(l, p.cells) || is_in_window(l, p.cells)) return;
+    if (!is_in_search(l, p.cells) || is_in_window(l, p.cells)) return;
     if (cells_in(p.cells) < FEW && is_spread_out(l, WITNESS_SPREAD, p, p))
         return;
     if (cells_in(p.cells) == 1) {
@@ -566,12 +566,12 @@ static void look_within(const frame_look *l, cell_part p)
         return;
     }
     halve(p, half);
-    for (int k = 0; k < 2; k++) look_within(l, half[k]);
-    look_between(l, half[0], half[1]);
+    for (int k = 0; k < 2; k++) search_within(l, half[k]);
+    search_between(l, half[0], half[1]);
 }
 
 // Two cloths, and where they are in the pool.
-static witness asked(const frame_look *l, int a, int b)
+static witness asked(const frame_search *l, int a, int b)
 {
     witness w = { .kind = WITNESS_ASKED };
     for (int i = 0; i < 2; i++) {
@@ -596,7 +596,7 @@ static bool is_same_asked(const witness *x, const witness *y)
     return is_same;
 }
 
-static bool is_asked(const frame_look *l, int a, int b)
+static bool is_asked(const frame_search *l, int a, int b)
 {
     const soft_frame *f = l->f;
     return is_certified(f, a) && is_certified(f, b)
@@ -605,7 +605,7 @@ static bool is_asked(const frame_look *l, int a, int b)
 
 // (A sheet of which nothing is asked may be gone at the next look, and a smaller one
 // have its number: it has no windows.)
-static bool is_asked_of_some(const frame_look *l, int b)
+static bool is_asked_of_some(const frame_search *l, int b)
 {
     for (int n = 0; n < l->f->softs; n++)
         if (is_asked(l, b, l->f->soft[n])) return true;
@@ -614,7 +614,7 @@ static bool is_asked_of_some(const frame_look *l, int b)
 
 // Pairs that no plane parts are in `clash` afterwards.  What found no room in
 // the last look may find some in this.
-static void look_at_all(const frame_look *l)
+static void search_all(const frame_search *l)
 {
     certificate *c = l->c;
     const int *soft = l->f->soft, softs = l->f->softs;
@@ -629,11 +629,11 @@ static void look_at_all(const frame_look *l)
             if (!is_asked(l, a, b)) continue;
             witness w = asked(l, a, b);
             keep_witness(l, &w);
-            if (a == b) look_within(l, whole_soft(l, b));
-            else        look_between(l, whole_soft(l, a), whole_soft(l, b));
+            if (a == b) search_within(l, whole_soft(l, b));
+            else        search_between(l, whole_soft(l, a), whole_soft(l, b));
         }
     c->made = c->keeps;
-    if (is_hopeless(c)) c->keeps = 0;
+    if (clashes_too_much(c)) c->keeps = 0;
 }
 //<
 
@@ -641,24 +641,24 @@ static void look_at_all(const frame_look *l)
 //>   A moment later most witnesses still hold, and to ask one is far cheaper
 //>   than to find it: only its other end is new. Most have so much room that
 //>   they need not even be asked. What one has lost is proved again.
-static real way_between(const vec3 *from, const vec3 *to, int a, int b)
+static real path_difference(const vec3 *from, const vec3 *to, int a, int b)
 {
     return vec3_length_squared(vec3_sub(vec3_sub(to[a], from[a]),
                                         vec3_sub(to[b], from[b])));
 }
 
 // m^2; each vertex keeps the ways to the next of its row and of its column.
-static real way_to_neighbours(const vec3 *from, const vec3 *to, const body *x,
-                              real *beside)
+static real path_difference_beside(const vec3 *from, const vec3 *to, const body *x,
+                                   real *beside)
 {
     int columns = x->shape->columns, n = columns * x->shape->rows;
     real most = 0;
     for (int i = 0; i < n; i++) {
         int v = x->first + i;
         real way = 0;
-        if ((i + 1) % columns > 0) way = way_between(from, to, v, v + 1);
+        if ((i + 1) % columns > 0) way = path_difference(from, to, v, v + 1);
         if (i + columns < n)
-            way = real_max(way, way_between(from, to, v, v + columns));
+            way = real_max(way, path_difference(from, to, v, v + columns));
         beside[v] = way;
         most = real_max(most, way);
     }
@@ -666,7 +666,7 @@ static real way_to_neighbours(const vec3 *from, const vec3 *to, const body *x,
 }
 
 // How far have they gone from each other, from there to where they are?
-static void measure_ways(const frame_look *l, const vec3 *from)
+static void measure_paths(const frame_search *l, const vec3 *from)
 {
     certificate *c = l->c;
     vec3 low = { HUGE_VAL, HUGE_VAL, HUGE_VAL }, high = vec3_scale(-1, low);
@@ -674,8 +674,8 @@ static void measure_ways(const frame_look *l, const vec3 *from)
     for (int n = 0; n < l->f->softs; n++) {
         const body *x = &l->f->body[l->f->soft[n]];
         if (!is_certified(l->f, l->f->soft[n])) continue;
-        most = real_max(most, way_to_neighbours(from, c->at[1], x,
-                                                c->beside));
+        most = real_max(most, path_difference_beside(from, c->at[1], x,
+                                                     c->beside));
         for (int v = x->first; v < x->first + body_particles(x); v++) {
             vec3 way = vec3_sub(c->at[1][v], from[v]);
             low = low_corner(low, way);
@@ -687,7 +687,7 @@ static void measure_ways(const frame_look *l, const vec3 *from)
 }
 
 // m: so far went neighbours of a range, at most.
-static real cells_way(const frame_look *l, cell_range r)
+static real largest_path_difference(const frame_search *l, cell_range r)
 {
     real most = 0;
     for (int j = r.top; j <= r.bottom; j++) {
@@ -700,22 +700,22 @@ static real cells_way(const frame_look *l, cell_range r)
 // Neighbours' ways differ by little, and those of others by no more than the
 // sum from neighbour to neighbour.  A patch asks its own: where cloth lies, it
 // stays one, whatever swings elsewhere.
-static real way_of(const frame_look *l, const witness *w)
+static real witness_path(const frame_search *l, const witness *w)
 {
     const certificate *c = l->c;
     cell_range a = w->set[0].part.cells, b = w->set[1].part.cells;
     cell_range r = range_around(a, b);
     if (w->kind == WITNESS_SPREAD || w->kind == WITNESS_WINDOW)
-        return cells_way(l, r);
+        return largest_path_difference(l, r);
     if (a.body != b.body) return c->apart;
     int steps = r.right - r.left + r.bottom - r.top;
     return real_min(c->apart, steps * c->bent);
 }
 
-static bool witness_holds(const frame_look *now, witness *w)
+static bool witness_holds(const frame_search *now, witness *w)
 {
     vec3 where;
-    w->slack -= way_of(now, w);
+    w->slack -= witness_path(now, w);
     if (w->slack > 0) return true;
     if (w->kind == WITNESS_PLANE) {
         box_all(now);
@@ -727,21 +727,21 @@ static bool witness_holds(const frame_look *now, witness *w)
     return w->slack > 0;
 }
 
-static void prove_again(const frame_look *l, const witness *w)
+static void prove_again(const frame_search *l, const witness *w)
 {
     cell_part a = w->set[0].part, b = w->set[1].part;
-    frame_look inside = *l;
+    frame_search inside = *l;
     inside.in = &b.cells;
     if (w->kind == WITNESS_LOST)
-        look_within(&inside, whole_soft(l, b.cells.body));
+        search_within(&inside, whole_soft(l, b.cells.body));
     else if (w->set[0].count > 0) part_facets(l, w->set[0], w->set[1]);
     else if (w->kind == WITNESS_SPREAD && is_same_range(a.cells, b.cells))
-        look_within(l, a);
-    else look_between(l, a, b);
+        search_within(l, a);
+    else search_between(l, a, b);
 }
 
 // Smaller windows are found for one that is none now.
-static void look_at_windows(const frame_look *l, const frame_look *now)
+static void search_windows(const frame_search *l, const frame_search *now)
 {
     certificate *c = l->c;
     int n = c->keeps;
@@ -755,7 +755,7 @@ static void look_at_windows(const frame_look *l, const frame_look *now)
 }
 
 // What clashed has no witness, and is asked as well.
-static void look_at_clashes(const frame_look *l, int n)
+static void search_clashes(const frame_search *l, int n)
 {
     certificate *c = l->c;
     c->clashes = 0;
@@ -784,35 +784,35 @@ static void move_up(certificate *c, int n)
 }
 
 // Where it is hopeless, all that was kept stays, to be asked of another end.
-static void look_at_kept(const frame_look *l)
+static void check_kept(const frame_search *l)
 {
     certificate *c = l->c;
-    int n = c->keeps, clashed = is_hopeless(c) ? 0 : c->clashes;
-    frame_look now = *l;
+    int n = c->keeps, clashed = clashes_too_much(c) ? 0 : c->clashes;
+    frame_search now = *l;
     now.from = ENDS - 1;
     c->left_out = 0;
     c->is_boxed = false;
-    look_at_clashes(l, clashed);
-    look_at_windows(l, &now);
+    search_clashes(l, clashed);
+    search_windows(l, &now);
     int windows = c->keeps;
     for (int k = 0; k < n; k++) {
         witness *w = &c->kept[k];
         if (w->kind == WITNESS_WINDOW || w->kind == WITNESS_ASKED) continue;
-        if (is_hopeless(c))         w->slack -= way_of(l, w);
+        if (clashes_too_much(c))         w->slack -= witness_path(l, w);
         else if (w->kind == WITNESS_LOST || !witness_holds(&now, w)) prove_again(l, w);
     }
-    if (is_hopeless(c)) c->keeps = clashed > 0 ? 0 : windows;
+    if (clashes_too_much(c)) c->keeps = clashed > 0 ? 0 : windows;
     else                move_up(c, n);
 }
 
-static bool is_all_kept(const frame_look *l)
+static bool is_all_kept(const frame_search *l)
 {
     const certificate *c = l->c;
     return c->keeps > 0 && c->keeps <= c->room;
 }
 
 // Is what is kept about what is asked for, and not worn to pieces?
-static bool may_look_again(const frame_look *l)
+static bool may_check_kept(const frame_search *l)
 {
     const certificate *c = l->c;
     const int *soft = l->f->soft;
@@ -836,13 +836,13 @@ static bool may_look_again(const frame_look *l)
 //>   Two facets that have no plane are parted along the one that they had when
 //>   the frame began, by the least moves that do it and push nothing away: those
 //>   of chapter 07, of all their vertices at once.
-static bool is_fixed(const frame_look *l, int v)
+static bool is_fixed(const frame_search *l, int v)
 {
     return !(l->f->particle[v].inverse_mass > 0);
 }
 
 // kg; what is nailed outweighs all.
-static real weight_of(const frame_look *l, int v)
+static real weight_of(const frame_search *l, int v)
 {
     static const real NAILED = 0x1p100;
     return is_fixed(l, v) ? NAILED : 1 / l->f->particle[v].inverse_mass;
@@ -883,7 +883,7 @@ static real balance(const side_of_plane *s, int count)
 // than can be seen, and far more than rounding takes.
 static const real KEEPS = 0x1p-16;
 
-static void part_clash(const frame_look *l, const facet_clash *x)
+static void part_clash(const frame_search *l, const facet_clash *x)
 {
     side_of_plane side[2 * FACET];
     int count = 0, vertex[2 * FACET];
@@ -911,7 +911,7 @@ static void part_clash(const frame_look *l, const facet_clash *x)
 //>   What still clashes makes a patch with all that it clashes with, which goes
 //>   as one, by its mean way: so its momentum is left to it. Where more clash
 //>   than there are vertices, whole cloths make a patch.
-static vec3 way_at(const certificate *c, int v)
+static vec3 path_at(const certificate *c, int v)
 {
     return vec3_sub(c->at[1][v], c->at[0][v]);
 }
@@ -947,7 +947,7 @@ static void join_clash(certificate *c, const facet_clash *x)
             join_components(c, x->set[i].vertex[k], x->set[0].vertex[0]);
 }
 
-static void join_cloths(const frame_look *l, const facet_clash *x)
+static void join_cloths(const frame_search *l, const facet_clash *x)
 {
     int first = l->f->body[x->set[0].part.cells.body].first;
     for (int i = 0; i < 2; i++) {
@@ -959,7 +959,7 @@ static void join_cloths(const frame_look *l, const facet_clash *x)
     }
 }
 
-static void go_as_one(const frame_look *l)
+static void move_as_one(const frame_search *l)
 {
     certificate *c = l->c;
     for (int v = 0; v < c->particles; v++) {
@@ -970,7 +970,7 @@ static void go_as_one(const frame_look *l)
         certified_vertex *p = &c->of[patch_of(c, v)];
         if (!p->is_whole) continue;
         real m = weight_of(l, v);
-        p->way = vec3_add_scaled(p->way, m, way_at(c, v));
+        p->way = vec3_add_scaled(p->way, m, path_at(c, v));
         p->mass += m;
     }
     for (int v = 0; v < c->particles; v++) {
@@ -980,40 +980,40 @@ static void go_as_one(const frame_look *l)
     }
 }
 
-static void patches_go(const frame_look *l)
+static void move_patches(const frame_search *l)
 {
     certificate *c = l->c;
     for (int k = 0; k < c->clashes; k++) join_clash(c, &c->clash[k]);
-    go_as_one(l);
+    move_as_one(l);
 }
 
-static void cloths_go(const frame_look *l)
+static void move_cloths(const frame_search *l)
 {
     certificate *c = l->c;
     forget_patches(c);
     for (int k = 0; k < c->vertices; k++) join_cloths(l, &c->clash[k]);
-    go_as_one(l);
+    move_as_one(l);
     forget_patches(c);
 }
 
 // Ends have been put elsewhere since the last look.
-static void look_at_ends(const frame_look *l)
+static void search_at_ends(const frame_search *l)
 {
-    if (may_look_again(l)) look_at_kept(l);
-    else                   look_at_all(l);
+    if (may_check_kept(l)) check_kept(l);
+    else                   search_all(l);
 }
 
-static void look_after(const frame_look *l, void put(const frame_look *l))
+static void search_after(const frame_search *l, void put(const frame_search *l))
 {
     certificate *c = l->c;
     memcpy(c->seen, c->at[1], (size_t)c->particles * sizeof *c->seen);
-    if (is_hopeless(c)) cloths_go(l);
+    if (clashes_too_much(c)) move_cloths(l);
     else                put(l);
-    measure_ways(l, c->seen);
-    look_at_ends(l);
+    measure_paths(l, c->seen);
+    search_at_ends(l);
 }
 
-static void part_clashes(const frame_look *l)
+static void part_clashes(const frame_search *l)
 {
     enum { ATTEMPTS = 4 };
     const certificate *c = l->c;
@@ -1021,7 +1021,7 @@ static void part_clashes(const frame_look *l)
         part_clash(l, &c->clash[i % c->clashes]);
 }
 
-static void stand_still(const frame_look *l)
+static void stand_still(const frame_search *l)
 {
     certificate *c = l->c;
     for (int v = 0; v < c->particles; v++)
@@ -1031,19 +1031,19 @@ static void stand_still(const frame_look *l)
 // Before all of it stands still for a piece.
 enum { PARTINGS = 4, PROOF_ROUNDS = 16 };
 
-static void certify(const frame_look *l)
+static void certify(const frame_search *l)
 {
     certificate *c = l->c;
-    measure_ways(l, c->at[0]);
-    look_at_ends(l);
+    measure_paths(l, c->at[0]);
+    search_at_ends(l);
     // Those beside what crossed are known now.
-    if (c->left_out > 0) look_at_ends(l);
+    if (c->left_out > 0) search_at_ends(l);
     c->prevented = c->clashes;
     for (int k = 0; k < PARTINGS && c->clashes > 0; k++)
-        look_after(l, part_clashes);
+        search_after(l, part_clashes);
     if (c->clashes > 0) forget_patches(c);
     for (int k = 0; k < PROOF_ROUNDS && c->clashes > 0; k++)
-        look_after(l, patches_go);
+        search_after(l, move_patches);
     if (c->clashes > 0) stand_still(l);
 }
 //<
@@ -1057,7 +1057,7 @@ void certificate_carry(const certificate *c, const soft_frame *f, particle *p,
     p->previous = vec3_add_scaled(p->previous, 1 - f->age / c->since, by);
 }
 
-static void take_back_vertex(const frame_look *l, int v)
+static void take_back_vertex(const frame_search *l, int v)
 {
     particle *p = &l->f->particle[v];
     vec3 by = vec3_sub(l->c->at[1][v], p->position);
@@ -1117,14 +1117,14 @@ bool certificate_is_due(certificate *c, const soft_frame *f)
 }
 
 // The reader hears all: if there was no room for them, as they are found again.
-static void tell_all(const frame_look *l)
+static void report_witnesses(const frame_search *l)
 {
     certificate *c = l->c;
-    frame_look aloud = *l;
+    frame_search aloud = *l;
     aloud.tells = true;
     if (is_all_kept(l))
-        for (int k = 0; k < c->keeps; k++) tell(c, c->kept[k]);
-    else look_at_all(&aloud);
+        for (int k = 0; k < c->keeps; k++) report_witness(c, c->kept[k]);
+    else search_all(&aloud);
 }
 
 // What is proved begins the next way.
@@ -1138,7 +1138,7 @@ static void begin_next(certificate *c)
 
 void certificate_end(certificate *c, const soft_frame *f)
 {
-    frame_look l = { .c = c, .f = f };
+    frame_search l = { .c = c, .f = f };
     bool is_still = true;
     for (int n = 0; n < f->softs; n++)
         is_still = is_still && !(is_certified(f, f->soft[n])
@@ -1148,7 +1148,7 @@ void certificate_end(certificate *c, const soft_frame *f)
     copy_positions(c, f, 1);
     for (int v = 0; v < c->particles; v++) c->of[v].crossed = false;
     certify(&l);
-    if (c->read) tell_all(&l);
+    if (c->read) report_witnesses(&l);
     if (c->clashes > 0) c->keeps = c->clashes = 0;
     for (int n = 0; n < f->softs && c->prevented > 0; n++) {
         const body *x = &f->body[f->soft[n]];

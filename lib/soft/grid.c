@@ -167,7 +167,7 @@ static void keep_near(grid_search *s, const grid_point *a, int count)
 //>   What is left is the walk over all cells that hold a point.
 // Of the 26 cells around one, 13 come after it: the next one in its row, and
 // three in each of four rows.  Those of a row stand in one piece.
-static void look_around_cell(grid_search *s, int cell)
+static void pair_neighbour_cells(grid_search *s, int cell)
 {
     static const int row[4][2] = { { 1, 0 }, { -1, 1 }, { 0, 1 }, { 1, 1 } };
     const int *start = s->g->start;
@@ -204,7 +204,7 @@ int grid_pairs(grid *g, const vec3 *at, int n, real reach, int columns,
     sort_points(g, &s.c, at, n, columns);
     for (int k = 0; k < n;) {
         int cell = g->cell[g->sorted[k].number];
-        look_around_cell(&s, cell);
+        pair_neighbour_cells(&s, cell);
         k = g->start[cell + 1];
     }
     return s.found;

@@ -832,7 +832,7 @@ static void block_close(const line_block *b, const int *solved, line_result *r)
 //>   After a few iterations most blocks have converged. To find that out is
 //>   cheaper than to solve them.
 // Twice what is wrong with eight links whose first ends stand side by side.
-static inline void look_at_links(places at, int pitch, real rest2,
+static inline void measure_links(places at, int pitch, real rest2,
                                  real worst[LANES], real sum[LANES])
 {
     for (int l = 0; l < LANES; l++) {
@@ -869,7 +869,7 @@ static real block_worst(const line_block *b, real enough)
         for (int q = 0; q < side; q += LANES) {
             int i = (q < side - LANES ? q : side - LANES)
                   + k * (is_across ? s.along : s.across);
-            look_at_links(places_from(b->scratch->now, b->start + i), s.along,
+            measure_links(places_from(b->scratch->now, b->start + i), s.along,
                           rest2, worst, sum);
         }
     }

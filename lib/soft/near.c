@@ -165,7 +165,7 @@ static void list_soft_pair(near_lists *l, const soft_frame *f, int a, int b)
 
 //> near-view
 //>   What the lists say of a particle over a face.
-void rigid_view_look(rigid_view *v, const soft_frame *f, int b)
+void rigid_view_update(rigid_view *v, const soft_frame *f, int b)
 {
     const body *rigid = &f->body[b];
     const shape *s = rigid->shape;
@@ -328,7 +328,7 @@ static void list_points(near_lists *l, rigid_view *v, const soft_frame *f,
         vec3 x = l->at[i];
         l->ahead[i] = OVER_NOTHING;
         if (vec3_length_squared(vec3_sub(x, center)) > far * far) continue;
-        if (!is_ready) rigid_view_look(v, f, b);
+        if (!is_ready) rigid_view_update(v, f, b);
         is_ready = true;
         // Most that are far are in front of the plane that the last one was.
         if (v->hull.planes > 0 && plane_height(v->plane[ahead], x) > wide)
@@ -363,7 +363,7 @@ static void list_pair(near_lists *l, rigid_view *v, const soft_frame *f, int a,
 }
 
 // Copies where the particles of a deformable body are, for tree and grid.
-static void look_at_soft(near_lists *l, const soft_frame *f, int b)
+static void copy_soft(near_lists *l, const soft_frame *f, int b)
 {
     const body *x = &f->body[b];
     for (int i = x->first; i < x->first + x->shape->particles; i++)
@@ -381,7 +381,7 @@ static void note_places(near_lists *l, const soft_frame *f, int b)
                                                frame_arm(&frame, k));
         return;
     }
-    look_at_soft(l, f, b);
+    copy_soft(l, f, b);
     if (l->softs > 1) sphere_tree_refresh(&l->tree[b], l->at + x->first);
     for (int i = x->first; i < x->first + x->shape->particles; i++)
         l->listed[i] = l->at[i];
@@ -540,7 +540,7 @@ void near_begin(near_lists *l, const soft_frame *f, const prediction *ahead)
             l->ball[b] = f->ball[b];
             continue;
         }
-        look_at_soft(l, f, b);
+        copy_soft(l, f, b);
         l->ball[b] = ball_of_box(at, f->body[b].shape->particles);
         l->ball[b].radius += f->body[b].thickness;
     }

@@ -180,7 +180,7 @@ void near_refresh(near_lists *l, rigid_view *v, const soft_frame *f);
 rigid_frame soft_rigid_frame(const soft_frame *f, int b);
 
 // Looks where the vertices and planes of rigid body b are now.
-void rigid_view_look(rigid_view *v, const soft_frame *f, int b);
+void rigid_view_update(rigid_view *v, const soft_frame *f, int b);
 
 // The particles of facet k of b: a link says its last one twice.
 static inline void facet_corners(const body *b, int k, int end[FACET])

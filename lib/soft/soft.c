@@ -192,7 +192,7 @@ static const real CLOTH_TOLERANCE = 0.0025; // tuned, 1
 
 // What lies on something that does not move must not leave it by what the
 // substep before has pulled it in.
-static void calm(particle *p, const line_hold *h)
+static void drop_pull(particle *p, const line_hold *h)
 {
     if (h->state == LINE_FREE) return;
     real up = vec3_dot(vec3_sub(p->position, p->previous), h->normal);
@@ -263,7 +263,7 @@ void soft_relax(soft_solver *s, const soft_frame *f)
         if (!soft_moves(f, f->soft[n])) continue;
         relax_soft(s, f, b, hold);
         for (int i = 0; i < body_particles(b); i++)
-            calm(&f->particle[b->first + i], &hold[i]);
+            drop_pull(&f->particle[b->first + i], &hold[i]);
     }
 }
 //<
@@ -503,7 +503,7 @@ static int substeps_for_weight(const soft_frame *f, int a)
 }
 
 // A part of a divided frame takes its share, rounded up.
-static int share_of_substeps(const soft_frame *f, int substeps)
+static int substeps_of_part(const soft_frame *f, int substeps)
 {
     real share = f->frame / f->whole * substeps;
     return (int)share + ((int)share < share);
@@ -525,7 +525,7 @@ int soft_substeps(const soft_solver *s, const soft_frame *f)
     for (int k = 0; k < f->softs; k++) {
         int a = f->soft[k];
         int usual = is_stiff(s, f, a) ? f->stiff_substeps : f->substeps;
-        int most = share_of_substeps(f, f->substeps + MORE_WHEN_PRESSED);
+        int most = substeps_of_part(f, f->substeps + MORE_WHEN_PRESSED);
         int pressed = (int)real_min(f->frame * s->pace, most);
         if (soft_moves(f, a))
             n = int_max(n, int_max(int_max(usual, pressed),

@@ -148,8 +148,8 @@ static particle stand_in(const soft_touch *x)
 }
 
 // It was pushed from `before` to `after`, and they with it.
-static void share_out(const soft_touch *x, const particle *before,
-                      const particle *after)
+static void distribute_push(const soft_touch *x, const particle *before,
+                            const particle *after)
 {
     vec3 now = vec3_sub(after->position, before->position);
     vec3 then = vec3_sub(after->previous, before->previous);
@@ -189,8 +189,8 @@ static particle whole_cloth(const soft_touch *x)
 }
 
 // How far that is pushed, the cloth goes.
-static void share_with_all(const soft_touch *x, const particle *before,
-                           const particle *after)
+static void distribute_to_all(const soft_touch *x, const particle *before,
+                              const particle *after)
 {
     const body *soft = x->soft;
     vec3 now = vec3_sub(after->position, before->position);
@@ -307,8 +307,8 @@ static bool part_from(const soft_touch *x, answering who)
     particle before = who == BY_WHOLE ? whole_cloth(x) : stand_in(x);
     particle after = before;
     if (!push_off(x, &after)) return false;
-    if (who == BY_WHOLE) share_with_all(x, &before, &after);
-    else                 share_out(x, &before, &after);
+    if (who == BY_WHOLE) distribute_to_all(x, &before, &after);
+    else                 distribute_push(x, &before, &after);
     return true;
 }
 
@@ -357,7 +357,7 @@ int touch_bodies(const near_lists *l, rigid_view *v, const soft_frame *f,
         point_pair pair = l->point[is_backward ? n - 1 - k : k];
         if (who == BY_WHOLE && body_is_fixed(&f->body[pair.rigid])) continue;
         if (pair.soft != last.soft || pair.rigid != last.rigid) {
-            rigid_view_look(v, f, pair.rigid);
+            rigid_view_update(v, f, pair.rigid);
             apart = share * soft_gap(&f->body[pair.soft],
                                      &f->body[pair.rigid]);
             m = soft_material(f, pair.soft, pair.rigid);
@@ -454,7 +454,7 @@ static bool touch_facet(const near_lists *l, rigid_view *v, const soft_frame *f,
     x->between = plane_out(&x->frame, pair->between);
     real up = facet_height(x->end, x->between);
     if (!(up > apart)) {
-        rigid_view_look(v, f, pair->rigid);
+        rigid_view_update(v, f, pair->rigid);
         bool is_near = facet_nearest(&v->hull, x->end, &x->between, apart, &t);
         pair->between = plane_in(&v->frame, x->between);
         if (is_near) return part_facet(v, f, pair, x, &t, apart, who);
@@ -522,7 +522,7 @@ bool touch_is_clear(rigid_view *v, const soft_frame *f, int a, int b)
     int facets = s->mesh.faces > 0 ? s->mesh.faces : s->sticks;
     real apart = soft_gap(soft, rigid);
     surface_point at;
-    rigid_view_look(v, f, b);
+    rigid_view_update(v, f, b);
     for (int i = soft->first; i < soft->first + s->particles; i++)
         if (obstacle_nearest(&v->hull, f->particle[i].position, 0, apart, &at))
             return false;

@@ -11,7 +11,7 @@
 // its contacts were found: it is displaced, until it leaves the margin that they
 // have.  (Not what has a weight of its own: where a ball's is off its middle, its
 // arm changes with every turn, and with it the period at which it rocks.)
-static bool lies(const world *w, int b)
+static bool rests_in_place(const world *w, int b)
 {
     const rigid_tables *t = &w->rigid;
     return t->moves[b] && !t->now[b].is_driven && !linkage_has(&w->joints, b)
@@ -20,10 +20,10 @@ static bool lies(const world *w, int b)
         && !w->body[b].is_weighed;
 }
 
-static void lie(world *w, int b)
+static void rest_in_place(world *w, int b)
 {
     rigid_tables *t = &w->rigid;
-    if (b < 0 || t->going[b] != GOES_EXACTLY || !lies(w, b)) return;
+    if (b < 0 || t->going[b] != GOES_EXACTLY || !rests_in_place(w, b)) return;
     t->going[b] = LIES;
     t->fresh[b] = false;
     t->middle[b] = t->cache.placed[b];
@@ -65,8 +65,8 @@ void advance_begin(world *w)
         if (x->count == 0) continue;
         t->touches[x->a] = t->moves[x->a];
         if (x->b >= 0) t->touches[x->b] = t->moves[x->b];
-        lie(w, x->a);
-        lie(w, x->b);
+        rest_in_place(w, x->a);
+        rest_in_place(w, x->b);
         if (w->kinematic_bodies > 0) touch_turning(w, x->a, x->b);
     }
 }
@@ -127,7 +127,7 @@ static void advance_joined(world *w, int b, real h)
         t->middle[b] = moved_by(now, &t->velocity[b], h / 2);
     solver_frame f = { .body = t->now, .h = h };
     linkage_pass q = join_pass(w, &f);
-    linkage_go(&w->joints, &q, b, now);
+    linkage_advance(&w->joints, &q, b, now);
     t->moved[b] = (motion){ { 0 } };
 }
 
@@ -142,7 +142,7 @@ static void advance_exactly(world *w, int b, real seconds, real h)
 {
     rigid_tables *t = &w->rigid;
     solver_body *now = &t->now[b];
-    if (now->is_driven) drive_go(w, b, seconds + h);
+    if (now->is_driven) drive_advance(w, b, seconds + h);
     else motion_advance(&now->frame, &now->basis, &t->velocity[b], h);
 }
 
@@ -294,7 +294,7 @@ real advance_leaned(const world *w, int b, const rigid_frame *was)
 }
 
 // m: no vertex has gone further.
-static real gone(const world *w, int b)
+static real furthest_path(const world *w, int b)
 {
     const rigid_tables *t = &w->rigid;
     const rigid_frame *was = &t->began[b];
@@ -303,7 +303,7 @@ static real gone(const world *w, int b)
          + out * advance_turned(w, b, was);
 }
 
-static void put_chunk(void *data, int item)
+static void write_chunk(void *data, int item)
 {
     world *w = data;
     rigid_tables *t = &w->rigid;
@@ -311,25 +311,25 @@ static void put_chunk(void *data, int item)
     for (int k = task_first(item); k < end; k++) {
         int b = t->awake[k];
         if (!t->moves[b]) continue;
-        motion_put(w->pool.at + w->body[b].first, &t->now[b].frame,
-                   &t->now[b].basis, &t->velocity[b], t->age[b]);
-        cache_moved(&t->cache, b, gone(w, b));
+        motion_write(w->pool.at + w->body[b].first, &t->now[b].frame,
+                     &t->now[b].basis, &t->velocity[b], t->age[b]);
+        cache_moved(&t->cache, b, furthest_path(w, b));
     }
 }
 
 // Pieces have gone as far as the body that they ride on.
-static void put_pieces(world *w, int b)
+static void write_pieces(world *w, int b)
 {
     struct placing *at = w->rigid.cache.placing;
     for (int k = w->body[b].next; k > 0; k = w->body[k - 1].next)
         cache_moved(&w->rigid.cache, k - 1, at[b].path - at[k - 1].path);
 }
 
-void advance_put(world *w)
+void advance_write(world *w)
 {
     const rigid_tables *t = &w->rigid;
-    tasks_run(w->options.host.run, put_chunk, w, task_chunks(t->awakes));
+    tasks_run(w->options.host.run, write_chunk, w, task_chunks(t->awakes));
     for (int k = 0; k < t->awakes && w->has_pieces; k++)
-        if (t->moves[t->awake[k]]) put_pieces(w, t->awake[k]);
+        if (t->moves[t->awake[k]]) write_pieces(w, t->awake[k]);
 }
 //<

@@ -47,7 +47,7 @@ void advance_stop(world *w, int b);
 int advance_end(world *w);
 
 // The particles follow.
-void advance_put(world *w);
+void advance_write(world *w);
 
 #endif
 //<

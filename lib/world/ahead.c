@@ -71,7 +71,7 @@ static rigid_frame find_middle(const world *w, int b, real seconds)
     return motion_frame(&now->frame, &now->basis, &half);
 }
 
-void ahead_look(world *w, int b, real seconds)
+void ahead_predict(world *w, int b, real seconds)
 {
     w->rigid.ahead[b] = predict(w, b, seconds);
     w->rigid.asked[b] = find_middle(w, b, seconds);
@@ -166,7 +166,7 @@ static bool is_used_up(const world *w, const active_contact *x,
 //> ahead-again
 //>   Such a pair is asked again, and its block is filled again. No other pays.
 // A piece goes as the body that it rides on.
-static void look_at_side(world *w, int b, real left)
+static void predict_side(world *w, int b, real left)
 {
     rigid_tables *t = &w->rigid;
     if (b < 0) return;
@@ -176,7 +176,7 @@ static void look_at_side(world *w, int b, real left)
         t->now[b].basis = t->now[of].basis;
         t->velocity[b] = t->velocity[of];
     }
-    if (w->rigid.moves[b]) ahead_look(w, b, left);
+    if (w->rigid.moves[b]) ahead_predict(w, b, left);
     else w->rigid.asked[b] = w->rigid.now[b].frame;
 }
 
@@ -192,12 +192,12 @@ void ahead_again(world *w, const solver_frame *f, real left)
         some |= x->is_new;
     }
     if (!some) return;
-    solver_give_new(s, t->cache.active);
+    solver_store_new(s, t->cache.active);
     cache_frame ask = ahead_frame(w);
     for (int k = s->first; k < s->end; k++) {
         if (!s->active[k].is_new) continue;
-        look_at_side(w, t->cache.active[k]->piece_a, left);
-        look_at_side(w, t->cache.active[k]->piece_b, left);
+        predict_side(w, t->cache.active[k]->piece_a, left);
+        predict_side(w, t->cache.active[k]->piece_b, left);
         cache_again(&t->cache, &ask, k);
     }
     if (!solver_take_new(s, f, t->cache.active, t->cache.reach))

@@ -13,7 +13,7 @@
 
 // How far body b may get in so many seconds, in rigid.ahead, and as what it is
 // asked until then, in rigid.asked.  It has a frame, a basis and a velocity.
-void ahead_look(world *w, int b, real seconds);
+void ahead_predict(world *w, int b, real seconds);
 
 // What the cache is told, and asked for.
 cache_frame ahead_frame(const world *w);

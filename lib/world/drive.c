@@ -30,7 +30,7 @@ void drive_hold(world *w)
         if (t->now[t->awake[k]].is_driven) set_velocity(w, t->awake[k]);
 }
 
-void drive_go(world *w, int b, real seconds)
+void drive_advance(world *w, int b, real seconds)
 {
     solver_body *now = &w->rigid.now[b];
     const body_drive *d = &w->rigid.drive[b];
@@ -45,7 +45,7 @@ void drive_go(world *w, int b, real seconds)
 
 void drive_back(world *w, int b)
 {
-    drive_go(w, b, 0);
+    drive_advance(w, b, 0);
     w->rigid.middle[b] = w->rigid.now[b].frame;
 }
 
@@ -62,7 +62,7 @@ real drive_fastest(const world *w)
     return most;
 }
 
-void drive_drop_walls(world *w)
+void drive_drop_planes(world *w)
 {
     pair_list *l = &w->rigid.pairs;
     int walls = 0;

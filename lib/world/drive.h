@@ -22,7 +22,7 @@ void drive_hold(world *w);
 
 // Body b, which is driven, stands where it does so long (s) after the substeps
 // began.
-void drive_go(world *w, int b, real seconds);
+void drive_advance(world *w, int b, real seconds);
 
 // It stands where it did when they began.
 void drive_back(world *w, int b);
@@ -32,7 +32,7 @@ real drive_fastest(const world *w);
 
 // A driven body goes through planes: takes it out of the pairs of body and
 // plane that may meet.
-void drive_drop_walls(world *w);
+void drive_drop_planes(world *w);
 
 #endif
 //<

@@ -493,7 +493,7 @@ static void turn_together(rigid_tables *t, const int side[2], vec3 moment)
 
 // Both make way, by their masses.  A shift across the way that they go changes
 // their angular momentum.
-static void put_back(rigid_tables *t, int small, int large, const lost_side *s)
+static void move_both(rigid_tables *t, int small, int large, const lost_side *s)
 {
     solver_body *a = &t->now[small], *b = &t->now[large];
     real x = a->basis.inverse_mass, y = b->basis.inverse_mass;
@@ -536,7 +536,7 @@ static void stop_passing(rigid_tables *t, int small, int large)
     if (x.face < 0 || cuts_corner(&t->body[large], &x)) return;
     lost_side s = side_of(t, large, x.face, end, from, to,
                           t->body[small].inner);
-    put_back(t, small, large, &s);
+    move_both(t, small, large, &s);
     stop_closing(t, small, large, &s);
 }
 

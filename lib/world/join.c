@@ -205,7 +205,7 @@ real world_joint_gap(const world *w, int number)
         on_a = w->pool.at[w->body[j->a].first + j->particle].position;
     if (j->kind == JOINT_SLIDER)
         on_a = vec3_add_scaled(on_a, joint_where(j, &a, &b),
-                               joint_way(j, &a, &b));
+                               joint_direction(j, &a, &b));
     return vec3_distance(on_a, on_b);
 }
 
@@ -228,7 +228,7 @@ real world_joint_speed(const world *w, int number)
     const joint *j = joint_at(w, number);
     if (!joint_is_free(j)) return 0;
     rigid_frame a = frame_now(w, j->a), b = frame_now(w, j->b);
-    vec3 on_a, on_b, spin_a, spin_b, way = joint_way(j, &a, &b);
+    vec3 on_a, on_b, spin_a, spin_b, way = joint_direction(j, &a, &b);
     joint_points(j, &a, &b, &on_a, &on_b);
     if (j->kind == JOINT_SLIDER) on_a = on_b;
     vec3 u = velocity_at(w, j->a, on_a, &spin_a);

@@ -104,7 +104,7 @@ ledger_page ledger_mark(const world *w)
     return page;
 }
 
-void ledger_go_back(world *w, const ledger_page *to)
+void ledger_rewind(world *w, const ledger_page *to)
 {
     memcpy(w->ledger, to->account, sizeof w->ledger);
     w->ledger_now = to->now;

@@ -38,7 +38,7 @@ typedef struct {
 } ledger_page;
 
 ledger_page ledger_mark(const world *w);
-void ledger_go_back(world *w, const ledger_page *to);
+void ledger_rewind(world *w, const ledger_page *to);
 
 // From where the bodies that are awake have been moved to, the middle of the
 // move that their velocities are of is so far away (s); 0: their particles say.

@@ -115,7 +115,7 @@ static void find_grounds(world *w)
 
 // m: how far the centre of body b goes in this frame, as it is seen from the driven
 // body `on`; -1: from what is at rest.
-static vec3 way_beside(const world *w, int b, int on)
+static vec3 relative_path(const world *w, int b, int on)
 {
     const rigid_tables *t = &w->rigid;
     vec3 way = t->ahead[b].way;
@@ -138,7 +138,7 @@ static bool is_calm(const world *w, int b, int on)
 {
     const rigid_tables *t = &w->rigid;
     real since = w->frame * rigid_since(w, b);
-    vec3 way = vec3_add_scaled(way_beside(w, b, on), since, body_gravity(w, b));
+    vec3 way = vec3_add_scaled(relative_path(w, b, on), since, body_gravity(w, b));
     real far = t->now[b].radius / SIXTEENTH;
     return vec3_length_squared(way) <= far * far;
 }
@@ -147,7 +147,7 @@ static bool is_calm(const world *w, int b, int on)
 static bool is_fast(const world *w, int b, int on)
 {
     const rigid_tables *t = &w->rigid;
-    real way = vec3_length(way_beside(w, b, on)) * w->options.dt / w->frame;
+    real way = vec3_length(relative_path(w, b, on)) * w->options.dt / w->frame;
     return t->moves[b] && way > t->body[b].inner;
 }
 
@@ -238,8 +238,8 @@ static void find_lifts(world *w)
 // bodies, or than the sum of what carries it.  More than that is a jam between
 // immovable sides.  Shorter substeps would not help: they make springs stiffer,
 // and the jam presses them harder.
-static real borne_by(const rigid_tables *t, const active_contact *x,
-                     const island *i)
+static real load_above(const rigid_tables *t, const active_contact *x,
+                       const island *i)
 {
     real most = real_max(i->pulls, vec3_length(i->carried)) * t->age[x->a];
     return x->load > most ? x->borne * most / x->load : x->borne;
@@ -263,7 +263,7 @@ static real turn_of(const world *w, int b)
     return t->ahead[b].angle * out / t->now[b].radius;
 }
 
-static void ask_bodies(world *w)
+static void request_for_bodies(world *w)
 {
     rigid_tables *t = &w->rigid;
     vec3 down = vec3_unit(w->options.gravity);
@@ -277,7 +277,7 @@ static void ask_bodies(world *w)
     }
 }
 
-static void ask_joints(world *w)
+static void request_for_joints(world *w)
 {
     for (int k = 0; k < w->joints.count; k++) {
         const joint *j = &w->joints.joint[k];
@@ -293,14 +293,14 @@ static void ask_joints(world *w)
     }
 }
 
-static void ask_contacts(world *w)
+static void request_for_contacts(world *w)
 {
     rigid_tables *t = &w->rigid;
     for (int k = 0; k < t->solver.contacts; k++) {
         const active_contact *x = &t->solver.active[k];
         island *i = x->count > 0 ? rungs_island(w, x->a, -1) : NULL;
         if (!i) continue;
-        real width = width_at(t, x), borne = borne_by(t, x, i) / width;
+        real width = width_at(t, x), borne = load_above(t, x, i) / width;
         i->weight = real_max(i->weight, weight_on(t, x, i) / width);
         i->squares += borne * borne;
         i->bears += borne > 0;
@@ -314,10 +314,10 @@ static void ask_contacts(world *w)
 
 static void find_demands(world *w)
 {
-    ask_bodies(w);
+    request_for_bodies(w);
     find_lifts(w);
-    ask_joints(w);
-    ask_contacts(w);
+    request_for_joints(w);
+    request_for_contacts(w);
 }
 //<
 
@@ -404,7 +404,7 @@ static void swap_contacts(rigid_tables *t, int a, int b)
 }
 
 // What is driven goes with every rung: it stands before the bodies of the first.
-static void put_driven(world *w)
+static void insert_driven(world *w)
 {
     rigid_tables *t = &w->rigid;
     t->drivens = 0;
@@ -425,7 +425,7 @@ static void sort_by_rung(world *w, int highest)
         for (int k = 0; k < t->awakes; k++) t->by_rung[k] = t->awake[k];
         return;
     }
-    put_driven(w);
+    insert_driven(w);
     for (int k = 0; k < t->awakes; k++)
         if (!is_driven(w, t->awake[k])) of_body(w, t->awake[k], highest)->end++;
     for (int k = 0; k < s->contacts; k++)

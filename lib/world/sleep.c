@@ -137,7 +137,7 @@ static sleep_limits limits_of(const sleep_rule *rule, real radius)
 //> sleep-observe
 //>   Each frame adds what the body has done to its windows.
 // The largest distance (m) of n particles from where they were.
-static real furthest_gone(const particle *p, const vec3 *from, int n)
+static real furthest_moved(const particle *p, const vec3 *from, int n)
 {
     real most = 0;
     for (int i = 0; i < n; i++) {
@@ -189,9 +189,9 @@ static void next_half(sleep_state *s, int b, const particle *pool, int first,
 // Notes how far each window has seen it go.  A window in which it has gone too
 // far already needs no more looks.  What stands may go as far as jitter takes it:
 // it sways, and comes back.
-static void look_at_windows_of(sleep_state *s, int b, const particle *pool,
-                               int first, int n,
-                               const sleep_limits *l)
+static void update_windows_of(sleep_state *s, int b, const particle *pool,
+                              int first, int n,
+                              const sleep_limits *l)
 {
     sleep_watch *watch = &s->watch[b];
     for (int k = 0; k < int_min(watch->halves, WINDOWS); k++) {
@@ -199,7 +199,7 @@ static void look_at_windows_of(sleep_state *s, int b, const particle *pool,
         watch->stood[k] &= watch->stands;
         real most = watch->stood[k] ? JITTER * l->way : l->way;
         if (w->way <= most)
-            w->way = real_max(furthest_gone(pool + first, s->start[k] + first, n),
+            w->way = real_max(furthest_moved(pool + first, s->start[k] + first, n),
                               w->way);
         if (w->way > most) watch->is_moving = true;
     }
@@ -218,7 +218,7 @@ void sleep_observe(sleep_state *s, int b, const particle *pool, int first,
         return;
     }
     watch->is_moving = !are_slow(pool + first, n, l.speed * rule->h);
-    look_at_windows_of(s, b, pool, first, n, &l);
+    update_windows_of(s, b, pool, first, n, &l);
     if (watch->halves == 0 || ++watch->frames >= l.frames)
         next_half(s, b, pool, first, n, &l);
     if (watch->is_moving) watch->still = 0;

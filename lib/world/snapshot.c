@@ -60,7 +60,7 @@ static void cache_store(contact_cache *x, store *s)
     cache_list_store(&x->pairs, s);
     cache_list_store(&x->walls, s);
     cache_list_store(&x->still_pairs, s);
-    cache_list_store(&x->still_walls, s);
+    cache_list_store(&x->static_planes, s);
     CACHE_TABLES(SAVED, ROOM, x)
     STORE_FORGET(s, x->actives);
 }
@@ -250,7 +250,7 @@ static void shapes_store(world *w, store *s)
 }
 
 // A body of no shape is a place that is free.
-static void find_plan(const world *w, body *x)
+static void find_body_shape(const world *w, body *x)
 {
     if (!x->shape) x->shape = &WORLD_NOTHING;
     for (int k = 0; k < w->shapes; k++) {
@@ -269,7 +269,7 @@ static void bodies_store(world *w, store *s)
         store_pointer(s, &x->shape);
         STORE_FORGET(s, x->rigid);
         STORE_FORGET(s, x->line);
-        if (s->is_reading) find_plan(w, x);
+        if (s->is_reading) find_body_shape(w, x);
     }
     STORE_TABLE(s, w->rigid.body, w->bodies, w->room);
     for (int b = 0; b < w->bodies && s->done.ok; b++) {

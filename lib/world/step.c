@@ -19,13 +19,13 @@
 #include <stddef.h>
 #include <string.h>
 
-static void lap(world *w, int phase, real *since);
-static void look_at_bodies(world *w);
+static void book_time(world *w, int phase, real *since);
+static void refresh_bodies(world *w);
 static void drop_sleepers(world *w);
-static void look_around(world *w);
+static void surround_bodies(world *w);
 static void find_pairs(world *w);
 static void find_manifolds(world *w);
-static int look_at_contacts(world *w, const solver_frame *f);
+static int activate_contacts(world *w, const solver_frame *f);
 static solver_frame solver_frame_of(const world *w, int substeps);
 static solver_frame prepare(world *w, const rung *r);
 static void substep(world *w, const solver_frame *f, real *since);
@@ -39,19 +39,19 @@ static void fall_asleep(world *w);
 static void find(world *w, real seconds, real *since)
 {
     w->frame = seconds;
-    look_at_bodies(w);
-    look_around(w);
-    if (w->softs > 0 && soft_wake(w)) look_at_bodies(w);
+    refresh_bodies(w);
+    surround_bodies(w);
+    if (w->softs > 0 && soft_wake(w)) refresh_bodies(w);
     find_pairs(w);
     ledger_book(w, LEDGER_SLEEP);
-    lap(w, PHASE_PAIRS, since);
+    book_time(w, PHASE_PAIRS, since);
     find_manifolds(w);
     drop_sleepers(w);
-    lap(w, PHASE_CONTACTS, since);
+    book_time(w, PHASE_CONTACTS, since);
 }
 
 // The particles of what has moved are a substep apart now.
-static void grow_old(world *w, real h)
+static void set_age(world *w, real h)
 {
     for (int k = 0; k < w->rigid.awakes; k++)
         w->rigid.age[w->rigid.awake[k]] = h;
@@ -59,7 +59,7 @@ static void grow_old(world *w, real h)
 
 // The substeps: so many of equal length, or more and shorter ones where joints
 // ask for them.
-static void go(world *w, solver_frame f, real *since)
+static void run_substeps(world *w, solver_frame f, real *since)
 {
     int left = f.substeps;
     const rung *r = &w->rigid.rungs[(int)w->rigid.on_rung];
@@ -75,7 +75,7 @@ static void go(world *w, solver_frame f, real *since)
         left = more > 0 ? more : left - 1;
         if (more > 0) w->rigid.hears = hears;
         if (more > 0) continue;
-        grow_old(w, f.h);
+        set_age(w, f.h);
         if (w->rigid.listens) hear_contacts(w);
         blow_forget(&w->rigid.solver);
         if (left > 0) ahead_again(w, &f, left * f.h);
@@ -105,8 +105,8 @@ static void solve_rung(world *w, int k, real *since)
     for (int i = 0; i < t->drivens && k > 0; i++) drive_back(w, t->awake[i]);
     solver_frame f = prepare(w, r);
     if (t->listens) hear_impacts(w, &f);
-    lap(w, PHASE_PREPARE, since);
-    go(w, f, since);
+    book_time(w, PHASE_PREPARE, since);
+    run_substeps(w, f, since);
     solver_store(&t->solver, w->options.host.run, t->cache.active);
     if (r->hangs) {
         w->report.parted = real_max(w->report.parted, w->joints.worst);
@@ -133,7 +133,7 @@ static void climb_rungs(world *w, int rungs, real *since)
 static void solve_frame(world *w, real *since)
 {
     solver_frame f = solver_frame_of(w, 1);
-    int rungs = look_at_contacts(w, &f);
+    int rungs = activate_contacts(w, &f);
     guard_begin(w, &f);
     climb_rungs(w, rungs, since);
     rolling_brake(w);
@@ -144,11 +144,11 @@ static void solve_frame(world *w, real *since)
     drive_hold(w);
     if (w->softs > 0 && w->options.certified) soft_prove(w);
     ledger_book(w, LEDGER_CONTACTS);
-    advance_put(w);
+    advance_write(w);
     ledger_halfway(w, 0);
     ledger_book(w, LEDGER_STICKS);
     if (w->softs > 0) soft_report(w);
-    lap(w, PHASE_MOVE, since);
+    book_time(w, PHASE_MOVE, since);
 }
 //<
 
@@ -205,13 +205,13 @@ void world_step(world *w)
     w->report.unconverged += w->report.lost;
     ledger_book(w, LEDGER_SLEEP);
     w->time += dt;
-    lap(w, PHASE_SLEEP, &since);
+    book_time(w, PHASE_SLEEP, &since);
 }
 //<
 
 //> step-lap
 // Books the time since *since to a phase, and starts the next.
-static void lap(world *w, int phase, real *since)
+static void book_time(world *w, int phase, real *since)
 {
     real now = w->options.host.clock ? w->options.host.clock() : 0;
     w->report.time[phase] += now - *since;
@@ -266,7 +266,7 @@ static bool rides_on(world *w, int b)
     return body_moves(w, of);
 }
 
-static void look_at_body(world *w, int b)
+static void refresh_body(world *w, int b)
 {
     rigid_tables *t = &w->rigid;
     const body *x = &w->body[b];
@@ -285,7 +285,7 @@ static void look_at_body(world *w, int b)
         now->basis = basis_find(x->rigid, &now->frame);
         t->velocity[b] = motion_of(p, &now->frame, &now->basis, t->age[b]);
         if (now->is_driven) drive_begin(w, b);
-        ahead_look(w, b, w->frame);
+        ahead_predict(w, b, w->frame);
     } else {
         now->basis = (motion_basis){ .inverse_mass = 0 };
         memset(&t->velocity[b], 0, sizeof t->velocity[b]);
@@ -296,18 +296,18 @@ static void look_at_body(world *w, int b)
     t->reach[b] = t->ahead[b].reach;
 }
 
-static void look_at_chunk(void *data, int item)
+static void refresh_chunk(void *data, int item)
 {
     world *w = data;
     int end = task_end(item, w->rigid.awakes);
     for (int k = task_first(item); k < end; k++)
-        look_at_body(w, w->rigid.awake[k]);
+        refresh_body(w, w->rigid.awake[k]);
 }
 
-static void look_at_bodies(world *w)
+static void refresh_bodies(world *w)
 {
     list_awake(w);
-    tasks_run(w->options.host.run, look_at_chunk, w,
+    tasks_run(w->options.host.run, refresh_chunk, w,
               task_chunks(w->rigid.awakes));
 }
 //<
@@ -315,7 +315,7 @@ static void look_at_bodies(world *w)
 //> step-around
 //>   Of a mesh of many triangles, those come among the bodies that something
 //>   comes near ([`tumble_mesh`](lib-tumble_mesh.md)).
-static void look_around(world *w)
+static void surround_bodies(world *w)
 {
     const world_host *host = &w->options.host;
     if (host->surround && host->surround(host->surroundings)) list_awake(w);
@@ -375,7 +375,7 @@ static bool wake_sleepers(world *w, real *passed)
         if (asleep[a] != asleep[b] || has_pieces)
             woke |= wake_pair(w, a, b, passed);
     }
-    if (woke) look_at_bodies(w);
+    if (woke) refresh_bodies(w);
     return woke;
 }
 //<
@@ -412,7 +412,7 @@ static bool is_past(const world *w, int b, sphere ball)
 
 //> step-pairs
 //>   Chapter 14 finds the pairs, and keeps them while the balls hold.
-static bool stays(const world *w, int a, int b)
+static bool may_pair(const world *w, int a, int b)
 {
     const body *x = &w->body[a], *y = &w->body[b];
     const sphere *listed = w->rigid.pairs.listed;
@@ -431,7 +431,7 @@ static void drop_pairs(world *w)
     linkage_find_apart(&w->joints);
     for (int k = 0; k < l->count; k++) {
         int a = l->pair[k][0], b = l->pair[k][1];
-        if (!stays(w, a, b)) continue;
+        if (!may_pair(w, a, b)) continue;
         l->pair[kept][0] = a;
         l->pair[kept++][1] = b;
     }
@@ -449,7 +449,7 @@ static bool list_pairs(world *w, pair_finding *ask)
     bool is_new = ask(&t->pairs, &q, &lost);
     w->report.dropped += lost;
     if (is_new) drop_pairs(w);
-    if (is_new) drive_drop_walls(w);
+    if (is_new) drive_drop_planes(w);
     return is_new;
 }
 
@@ -527,11 +527,11 @@ static void count_deep(world *w)
 }
 
 // Which points may touch, what is asked for substeps, and how everything goes.
-static int look_at_contacts(world *w, const solver_frame *f)
+static int activate_contacts(world *w, const solver_frame *f)
 {
     rigid_tables *t = &w->rigid;
-    if (!solver_look(&t->solver, f, contact_table(w), t->cache.reach,
-                     t->cache.actives))
+    if (!solver_activate(&t->solver, f, contact_table(w), t->cache.reach,
+                         t->cache.actives))
         w->report.dropped += t->cache.actives;
     cache_note(&t->cache, &t->solver);
     count_deep(w);
@@ -609,7 +609,7 @@ static void face_balls(world *w, const solver_frame *f)
         some |= x->is_new;
     }
     if (!some) return;
-    solver_give_new(s, t->cache.active);
+    solver_store_new(s, t->cache.active);
     if (!solver_take_new(s, f, t->cache.active, t->cache.reach))
         w->report.dropped += s->end - s->first;
 }
@@ -625,7 +625,7 @@ static void bounce(world *w, const solver_frame *f)
     advance_struck(w);
     face_balls(w, f);
     renew(w, *f, true);
-    solver_see_gaps(&t->solver, f, t->moved);
+    solver_update_gaps(&t->solver, f, t->moved);
 }
 
 static void substep(world *w, const solver_frame *f, real *since)
@@ -649,12 +649,12 @@ static void substep(world *w, const solver_frame *f, real *since)
     if (r->hangs) linkage_relax(&w->joints, &joints);
     solver_relax(&t->solver, f, t->velocity, t->moved);
     ledger_book(w, LEDGER_CONTACTS);
-    lap(w, PHASE_SOLVE, since);
+    book_time(w, PHASE_SOLVE, since);
     if (r->is_soft) {
         soft_step(w, f->h);
         guard_soft(w);
     }
-    lap(w, PHASE_SOFT, since);
+    book_time(w, PHASE_SOFT, since);
 }
 //<
 
@@ -666,7 +666,7 @@ static void redo(world *w, solver_frame *f, real times, const ledger_page *page)
     blow_forget(&w->rigid.solver);
     advance_back(w);
     linkage_rewind(&w->joints, &q);
-    ledger_go_back(w, page);
+    ledger_rewind(w, page);
     f->h *= times;
     solver_scale(&w->rigid.solver, times);
     linkage_scale(&w->joints, times);

@@ -12,7 +12,7 @@
 static const real EIGHTH_TURN = 0.7853981633974483;
 
 // For F / m beside that, 1/s^2.
-static real substeps_to_bear(const world *w, real pace)
+static real substeps_for_load(const world *w, real pace)
 {
     return w->options.dt * sqrt(pace / CONTACT_GIVES) / EIGHTH_TURN;
 }
@@ -24,7 +24,7 @@ static real substeps_for_layers(const world *w, const island *i)
     if (!i->is_calm || i->hangs || i->bodies < 2) return 0;
     real layers = (i->high - i->low) * i->bodies / (2 * i->inner) - 1;
     real g = vec3_length(w->options.gravity);
-    return substeps_to_bear(w, g * layers * i->bodies / i->width);
+    return substeps_for_load(w, g * layers * i->bodies / i->width);
 }
 
 // The weight of what lies on others counts before it is felt, shared by all that it
@@ -35,11 +35,11 @@ static real substeps_for_layers(const world *w, const island *i)
 // up.
 static real substeps_for_contacts(const world *w, const island *i, int now)
 {
-    real first = real_max(substeps_to_bear(w, i->weight),
+    real first = real_max(substeps_for_load(w, i->weight),
                           substeps_for_layers(w, i));
     if (!(i->squares < HUGE_VAL && i->bears > 0 && i->is_calm)) return first;
     real pace = sqrt(3 * i->squares / i->bears);
-    return real_max(first, real_min(substeps_to_bear(w, pace), now));
+    return real_max(first, real_min(substeps_for_load(w, pace), now));
 }
 //<
 

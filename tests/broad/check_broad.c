@@ -516,7 +516,7 @@ START_TEST(ball_that_is_put_elsewhere_has_its_own_pairs)
         int b = (k * 7 + 390) % 400;
         ball[b] = any_ball(cbrt(0.317 * 400 / 0.15), 0.5);
         if (k % 10 == 5) ball[b] = EMPTY;
-        ck_assert(broad_put(&s, ball, b));
+        ck_assert(broad_update(&s, ball, b));
         int n = broad_near(&s, ball, moves, is_asked, b, found, MOST_PAIRS, 0);
         int all = broad_pairs_all(ball, moves, bodies, wanted, MOST_PAIRS);
         int own = 0;

@@ -86,7 +86,7 @@ START_TEST(no_triangle_in_the_way_is_left_out)
                             .most = 1, .meets = note, .context = &l };
         if (k % 3) q.way = vec3_make(random_real(&r), 0, random_real(&r));
         if (k % 3 == 2) q.way.y = random_real(&r);
-        surface_ask(&s, &q);
+        surface_visit(&s, &q);
         for (int t = 0; t < triangles; t++)
             ck_assert(l.is_met[t] || !has_corner(t, &q));
         all += l.count;
@@ -114,7 +114,7 @@ START_TEST(what_is_nearest_is_found_by_distance)
     vec3 x = { 0.3, 1, 0.1 };
     surface_query q = { .thing = { x, x }, .by_distance = true,
                         .most = HUGE_VAL, .meets = measure, .context = &least };
-    surface_ask(&s, &q);
+    surface_visit(&s, &q);
     for (int t = 0; t < triangles; t++) measure(&wanted, t);
     ck_assert(least == wanted);
 }

@@ -129,7 +129,7 @@ static void add_floor(void)
 }
 
 // Every body and every plane.
-static void list_walls(void)
+static void list_plane_pairs(void)
 {
     list.wall = body_wall;
     list.walls = 0;
@@ -161,7 +161,7 @@ static void begin(void)
 static void turn_none(void)
 {
     for (int b = 0; b < bodies; b++) middle[b] = now[b].frame;
-    list_walls();
+    list_plane_pairs();
 }
 
 // Of bodies that do not turn.
@@ -610,7 +610,7 @@ START_TEST(body_that_turns_is_asked_as_it_stands_in_the_middle)
     middle[drum] = turned(drum, f, vec3_scale(0.5, turn));
     end = turned(drum, f, turn);
     begin();
-    list_walls();
+    list_plane_pairs();
     cache_update(&cache, &frame);
     const contact *c = contact_of(drum, contact_with_plane(0));
     real gap[CONTACT_POINTS], least = HUGE_VAL;

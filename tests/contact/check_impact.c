@@ -56,7 +56,7 @@ static void add_rows(int first, int end)
     for (int i = first; i < end; i++)
         impact_add(&set, &row[i], impact_parting(&row[i], velocity));
     impact_stop(&set);
-    impact_give(&set, velocity);
+    impact_apply(&set, velocity);
 }
 
 // The oracle: projected Gauss-Seidel, until nothing changes.

@@ -176,11 +176,11 @@ static int substep_with_solver(int n, real restitution)
     if (n == 0) {
         real far[4 * MOST];
         for (int k = 0; k < contacts; k++) far[k] = 100;
-        ck_assert(solver_look(&solver, &frame, table, far, contacts));
+        ck_assert(solver_activate(&solver, &frame, table, far, contacts));
         ck_assert(solver_prepare(&solver, &frame, table));
     }
     if (impacts > 0) solver_renew(&solver, &frame);
-    if (impacts > 0) solver_see_gaps(&solver, &frame, moved);
+    if (impacts > 0) solver_update_gaps(&solver, &frame, moved);
     solver_warm(&solver, &frame, velocity);
     solver_push(&solver, &frame, velocity, moved);
     advance();

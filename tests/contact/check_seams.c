@@ -137,7 +137,7 @@ static contact *found_ahead(int b)
 static void mend(void)
 {
     frame.awakes = bodies;
-    seams_mend(&cache, &frame);
+    seams_correct(&cache, &frame);
 }
 
 static real lowest_point(const contact *c)

@@ -49,7 +49,7 @@ static void prepare(pile *p)
     p->frame.body = p->body;
     p->frame.plane = p->plane;
     const contact *const *list = (const contact *const *)table;
-    ck_assert(solver_look(&solver, &p->frame, list, p->reach, p->contacts));
+    ck_assert(solver_activate(&solver, &p->frame, list, p->reach, p->contacts));
     ck_assert(solver_prepare(&solver, &p->frame, list));
 }
 
@@ -383,7 +383,7 @@ static void find_again(pile *p)
     contact *table[PILE_CONTACTS];
     set_table(p, table);
     for (int k = 0; k < p->contacts; k++) solver.active[k].is_new = k % 3 > 0;
-    solver_give_new(&solver, table);
+    solver_store_new(&solver, table);
     ck_assert(solver_take_new(&solver, &p->frame, table, p->reach));
 }
 
@@ -488,7 +488,7 @@ START_TEST(gaps_are_seen_again_where_bodies_have_been_moved)
         seed = alike;
         jolt(&other);
         solver_warm(&solver, &one.frame, one.velocity);
-        solver_see_gaps(&solver, &one.frame, one.moved);
+        solver_update_gaps(&solver, &one.frame, one.moved);
         solver_push(&solver, &one.frame, one.velocity, one.moved);
         store(&one);
         plain_warm_start(&s);
@@ -918,7 +918,7 @@ START_TEST(refused_memory_leaves_no_contact)
         status begun = solver_grow(&s, 20);
         mallocs_left = left;
         const contact *const *list = (const contact *const *)table;
-        bool done = solver_look(&s, &one.frame, list, one.reach, one.contacts)
+        bool done = solver_activate(&s, &one.frame, list, one.reach, one.contacts)
                  && solver_prepare(&s, &one.frame, list);
         mallocs_left = INT_MAX;
         bool is_empty = s.contacts == 0 && s.blocks == 0 && s.colors == 0;

@@ -246,7 +246,7 @@ static void turn_about_a_point(const linkage_pass *q)
     for (int n = 0; n < 20; n++) {
         linkage_begin(&l, q);
         linkage_push(&l, q, true);
-        linkage_go(&l, q, 0, x);
+        linkage_advance(&l, q, 0, x);
         linkage_relax(&l, q);
     }
 }
@@ -262,7 +262,7 @@ START_TEST(what_swings_evenly_begins_with_what_it_will_need)
     turn_about_a_point(&q);
     linkage_begin(&l, &q);
     solver_body end;
-    linkage_go(&l, &q, 0, &end);
+    linkage_advance(&l, &q, 0, &end);
     vec3 at = frame_point(&end.frame, l.joint[0].local_b);
     real off = vec3_distance(at, l.joint[0].local_a) / ARM;
     real step = q.f->h * SPIN;

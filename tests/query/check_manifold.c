@@ -1234,7 +1234,7 @@ static polygon side_seen(const standing *s, const camera *c, real sign)
 {
     polygon p = { .count = 0 };
     for (int f = 0; f < s->plan->mesh.faces; f++) {
-        if (!face_looks(s->plan, s->at, f, vec3_scale(sign, c->n))) continue;
+        if (!face_is_along(s->plan, s->at, f, vec3_scale(sign, c->n))) continue;
         for (int k = 0; k < 3 && p.count < MOST_CORNERS; k++) {
             vec3 r = vec3_sub(s->at[s->plan->face[3 * f + k]], c->origin);
             p.x[p.count] = vec3_dot(r, c->u);

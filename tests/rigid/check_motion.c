@@ -343,7 +343,7 @@ static void free_frame(particle *p, real dt)
     motion u = motion_of(p, &frame, &b, dt);
     motion_advance(&frame, &b, &u, dt);
     motion_straighten(&f, &frame);
-    motion_put(p, &frame, &b, &u, dt);
+    motion_write(p, &frame, &b, &u, dt);
 }
 
 // rad: by so much less is a body turned that turns by `by` in parts of a third of
@@ -656,7 +656,7 @@ START_TEST(immovable_body_answers_nothing)
     motion_basis basis = none;
     motion_advance(&frame, &basis, &u, 1.0 / 60);
     motion_displace(&frame, &basis, &u, &u);
-    motion_put(p, &frame, &basis, &u, 1.0 / 60);
+    motion_write(p, &frame, &basis, &u, 1.0 / 60);
     for (int k = 0; k < FOUR; k++) {
         // They are put at the sum of a centre and an arm.
         ck_assert(vec3_distance(p[k].position, was[k].position) <= 1e-15);

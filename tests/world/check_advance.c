@@ -246,7 +246,7 @@ START_TEST(what_is_lost_stands_where_it_did)
         for (int i = 0; i < MOTIONS; i++)
             ck_assert(probe_velocity(&w, 0)->of[i] == 0);
         ck_assert(probe_velocity(&w, 1)->of[0] == u.x);
-        advance_put(&w);
+        advance_write(&w);
         for (int i = 0; i < FOUR; i++)
             ck_assert(vec3_is_finite(particle_of(0, i)->position)
                       && vec3_is_finite(particle_of(0, i)->previous));

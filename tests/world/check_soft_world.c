@@ -580,7 +580,7 @@ static void follow(void)
         motion_basis basis = now->basis;
         motion u = *probe_velocity(&w, b);
         motion_displace(&frame, &basis, &u, probe_move(&w, b));
-        motion_put(particle_of(b, 0), &frame, &basis, &u, w.age);
+        motion_write(particle_of(b, 0), &frame, &basis, &u, w.age);
     }
 }
 

@@ -1279,10 +1279,10 @@ static const real TURN_PACE = 8;            // tuned, 1
 static const real RUBBED = 4;               // tuned, 1
 
 // rad/s: how fast a spin turns a direction, of any length.
-static real turn_of_way(vec3 spin, vec3 way)
+static real turn_of_direction(vec3 spin, vec3 d)
 {
-    real all = vec3_length(way);
-    return all > 0 ? vec3_length(vec3_cross(spin, way)) / all : 0;
+    real all = vec3_length(d);
+    return all > 0 ? vec3_length(vec3_cross(spin, d)) / all : 0;
 }
 
 // rad/s: how fast it turns what joint j holds of body b: the arm from its centre,
@@ -1295,8 +1295,10 @@ static real turn_of_held(const linkage_pass *q, const joint *j, int b, vec3 spin
                  || (j->kind == JOINT_BALL && j->extra == 0);
     if (!is_hinge && !is_point) return vec3_length(spin);
     vec3 axis = is_a ? j->axis_a[0] : j->axis_b[0];
-    real arm = turn_of_way(spin, frame_vector(f, is_a ? j->local_a : j->local_b));
-    return is_hinge ? real_max(arm, turn_of_way(spin, frame_vector(f, axis))) : arm;
+    vec3 at = is_a ? j->local_a : j->local_b;
+    real arm = turn_of_direction(spin, frame_vector(f, at));
+    real tilt = turn_of_direction(spin, frame_vector(f, axis));
+    return is_hinge ? real_max(arm, tilt) : arm;
 }
 
 // rad/s, to be followed.  A free flywheel turns its axle, so all spin counts for

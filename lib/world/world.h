@@ -98,8 +98,8 @@ typedef struct {
     int  asleep;        // bodies
     int  unconverged;   // contacts that overlap by more than a tenth of the
                         // smaller body's radius, joints apart by a hundredth
-                        // of it or of a radian, and ropes and cloths with a link that is off
-                        // by a hundredth
+                        // of it or of a radian, and ropes and cloths with a
+                        // link that is off by a hundredth
     int  lost;          // bodies that had no numbers after the substeps of a
                         // part of the frame, and were stopped: should be 0
     int  cut;           // parts of the frame that had fewer substeps than

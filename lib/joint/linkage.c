@@ -983,10 +983,6 @@ static real tilted_by(const joint_rows *r)
     return length_of(r->error + r->lengths, r->held - r->lengths);
 }
 
-// A joint whose points are apart by more than this, as a share of its smaller
-// body's radius, is not held; nor one whose axes are off by as many radians.
-static const real PARTED = 0.01;            // tuned, radii
-
 // What is far apart comes together no faster than an overlap goes.
 static real correction_share(const linkage *l, int k, const solver_frame *f)
 {
@@ -1013,7 +1009,7 @@ static void find_rows_of(linkage *l, const linkage_pass *q, int k)
              + j->extra;
     r->share = correction_share(l, k, q->f);
     l->worst = real_max(l->worst, parted_by(j, r));
-    l->parted += parted_by(j, r) > PARTED * r->size || tilted_by(r) > PARTED;
+    l->parted += parted_by(j, r) > STRAINED * r->size || tilted_by(r) > STRAINED;
     if (l->role[k] == JOINT_ALONE) factor_alone(l, q, k);
 }
 

@@ -302,12 +302,6 @@ static void push_both(const linkage_pass *q, const joint *j, joint_rows *r,
 //>   wanted differs, so it is an argument of all that follows.
 // How fast a joint's errors must change.  A body that turns takes a point along
 // an arc: where the points will be at the end of the substep is looked up.
-//
-// What is solved exactly may go home at once; what others have a say in goes
-// slowly.
-static const real AT_ONCE = 1;
-static const real SLOWLY = 0.3;             // tuned, 1
-
 static void bias_position(const linkage *l, const linkage_pass *q, int number,
                           real want[JOINT_ROWS])
 {
@@ -990,8 +984,7 @@ static real correction_share(const linkage *l, int k, const solver_frame *f)
     real sum = 0, most = f->joint_rate * r->size * f->h;
     for (int i = 0; i < r->held + l->joint[k].is_limited; i++)
         sum += i < r->held || r->error[i] < 0 ? r->error[i] * r->error[i] : 0;
-    real share = l->role[k] == JOINT_ALONE ? SLOWLY : AT_ONCE;
-    return share * share * sum > most * most ? most / sqrt(sum) : share;
+    return sum > most * most ? most / sqrt(sum) : 1;
 }
 
 static void find_rows_of(linkage *l, const linkage_pass *q, int k)

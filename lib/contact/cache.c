@@ -686,19 +686,12 @@ static bool is_through(const contact *now, const contact *was)
         || vec3_dot(now->normal, was->normal) < 0);
 }
 
-// As what it was.  A floor of pieces is a plane until the frame ends: one piece
-// alone has edges that the floor has not.
+// A floor of pieces is a plane until the frame ends: one piece alone has edges that
+// the floor has not.  So points that lie on one stay as they are.
 static void query_again(contact_cache *c, const cache_frame *f, cache_pair *p)
 {
-    contact *now = &c->entry[p->entry].contact;
-    if (!now->is_floor) {
-        query_pair(c, f, p);
-        return;
-    }
-    const contact was = *now;
-    seams_query_floor(c, f, p);
-    p->near = -HUGE_VAL;
-    contact_inherit(now, &was);
+    if (c->entry[p->entry].contact.is_floor) p->near = -HUGE_VAL;
+    else query_pair(c, f, p);
 }
 
 void cache_again(contact_cache *c, const cache_frame *f, int k)

@@ -23,6 +23,13 @@ static inline material material_meet(material a, material b)
                        real_max(a.restitution, b.restitution) };
 }
 
+// Where body a meets body b, or a plane (b < 0), of those that are made of these.
+static inline material material_between(const material *of, const material *wall,
+                                        int a, int b)
+{
+    return material_meet(of[a], b < 0 ? wall[-1 - b] : of[b]);
+}
+
 // m/s: what meets more slowly does not bounce, or nothing would come to rest:
 // a bounce that is over in less than two substeps of h (s), under gravity
 // (m/s^2), is not told from what lies.

@@ -88,8 +88,7 @@ typedef struct {
 static inline material solver_material(const solver_frame *f, int a, int b)
 {
     if (!f->material) return (material){ f->friction, f->restitution };
-    return material_meet(f->material[a],
-                         b < 0 ? f->wall[-1 - b] : f->material[b]);
+    return material_between(f->material, f->wall, a, b);
 }
 //<
 

@@ -437,21 +437,6 @@ static void take_plane(const slider *s, side *x, const manifold *m)
     x->pair->count = (signed char)t->count;
 }
 
-void seams_query_floor(contact_cache *c, const cache_frame *f, cache_pair *p)
-{
-    contact *t = &c->entry[p->entry].contact;
-    slider s = { .c = c, .f = f, .a = seams_slider(f, t->piece_a, t->piece_b) };
-    bool is_a = t->piece_a == s.a;
-    side x = { .pair = p, .contact = t, .b = is_a ? t->piece_b : t->piece_a,
-               .n = normal_to(&s, t) };
-    const contact_point *on = &t->point[0];
-    vec3 foot = frame_point(&c->placed[x.b], is_a ? on->local_b : on->local_a);
-    collider a = cache_collider(c, f, s.a);
-    manifold m = manifold_on_plane(&a, x.n, vec3_dot(x.n, foot),
-                                   contact_reach(&s, t), f->ahead[s.a].angle);
-    take_plane(&s, &x, &m);
-}
-
 // What pieces of this floor carried that A touches no more.
 static void carry_left(const slider *s, const side *x)
 {

@@ -26,9 +26,5 @@ int seams_slider(const cache_frame *f, int a, int b);
 // more.
 void seams_correct(contact_cache *c, const cache_frame *f);
 
-// A contact that was found with the plane of a floor (is_floor) is found again within
-// the frame: with that plane.
-void seams_query_floor(contact_cache *c, const cache_frame *f, cache_pair *p);
-
 #endif
 //<

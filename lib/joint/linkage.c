@@ -302,12 +302,6 @@ static void push_both(const linkage_pass *q, const joint *j, joint_rows *r,
 //>   wanted differs, so it is an argument of all that follows.
 // How fast a joint's errors must change.  A body that turns takes a point along
 // an arc: where the points will be at the end of the substep is looked up.
-//
-// What is solved exactly may go home at once; what others have a say in goes
-// slowly.
-static const real AT_ONCE = 1;
-static const real SLOWLY = 0.3;             // tuned, 1
-
 static void bias_position(const linkage *l, const linkage_pass *q, int number,
                           real want[JOINT_ROWS])
 {
@@ -983,10 +977,6 @@ static real tilted_by(const joint_rows *r)
     return length_of(r->error + r->lengths, r->held - r->lengths);
 }
 
-// A joint whose points are apart by more than this, as a share of its smaller
-// body's radius, is not held; nor one whose axes are off by as many radians.
-static const real PARTED = 0.01;            // tuned, radii
-
 // What is far apart comes together no faster than an overlap goes.
 static real correction_share(const linkage *l, int k, const solver_frame *f)
 {
@@ -994,8 +984,7 @@ static real correction_share(const linkage *l, int k, const solver_frame *f)
     real sum = 0, most = f->joint_rate * r->size * f->h;
     for (int i = 0; i < r->held + l->joint[k].is_limited; i++)
         sum += i < r->held || r->error[i] < 0 ? r->error[i] * r->error[i] : 0;
-    real share = l->role[k] == JOINT_ALONE ? SLOWLY : AT_ONCE;
-    return share * share * sum > most * most ? most / sqrt(sum) : share;
+    return sum > most * most ? most / sqrt(sum) : 1;
 }
 
 static void find_rows_of(linkage *l, const linkage_pass *q, int k)
@@ -1013,7 +1002,7 @@ static void find_rows_of(linkage *l, const linkage_pass *q, int k)
              + j->extra;
     r->share = correction_share(l, k, q->f);
     l->worst = real_max(l->worst, parted_by(j, r));
-    l->parted += parted_by(j, r) > PARTED * r->size || tilted_by(r) > PARTED;
+    l->parted += parted_by(j, r) > STRAINED * r->size || tilted_by(r) > STRAINED;
     if (l->role[k] == JOINT_ALONE) factor_alone(l, q, k);
 }
 

@@ -762,16 +762,14 @@ static void remember_pulls(const line_block *b, const int *solved)
 //>   of all squared moves, each divided by its inverse mass. Elimination has that
 //>   sum at hand: what stood over each pivot, times its g. If it is small, no
 //>   particle has gone too far; and a NaN never leaves a sum.
-// Where all moves together are short, each is: so much of a link, squared.
-static const real TOO_FAR = 0.25;           // tuned, 1
-
+// Where all moves together are short, each is.
 static void block_step(line_block *b)
 {
-    real rest = b->s.rest_length;
+    real half = b->s.rest_length / 2;
     block_eliminate(b);
     block_substitute(b);
     for (int l = 0; l < b->lanes; l++)
-        if (b->t.far[l] > rest * rest * TOO_FAR) hold_back(b, l);
+        if (b->t.far[l] > half * half) hold_back(b, l);
 }
 
 // Newton steps for all lanes, from where the particles are.

@@ -52,6 +52,11 @@ typedef struct {
 //<
 
 //> line-declare
+// What is off by more, of its length, or of the radius of the smaller of two that a
+// joint holds, or (an axis) in radians, is not held: it is reported, and takes more
+// substeps.
+static const real STRAINED = 0.01;          // tuned, 1
+
 // In how many directions s has strands: 1 for a rope, 2 for a cloth, 0 for a
 // rigid shape; and those of one direction, of a cloth the columns first.
 int     shape_directions(const shape *s);

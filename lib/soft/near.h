@@ -39,10 +39,8 @@ typedef struct {
     const plane *plane;
     int  planes;
     vec3 gravity;               // m/s^2
-    real friction;              // Coulomb's coefficient,
-    real restitution;           // and of impacts at what does not move; or
-    const material *material;   // [bodies] each has its own; NULL: these
-    const material *wall;       // [planes]
+    const material *material;   // [bodies] what they are made of,
+    const material *wall;       // [planes] and these
     const int *owner;           // [particles] of the pool: whose they are
     int  iterations;            // over strands, at most
     bool certified;             // no cloth crosses cloth, see certificate.h
@@ -71,9 +69,7 @@ static inline bool is_moving_soft(const soft_frame *f, int b)
 // Where bodies a and b meet, or a and a plane (b < 0).
 static inline material soft_material(const soft_frame *f, int a, int b)
 {
-    if (!f->material) return (material){ f->friction, f->restitution };
-    return material_meet(f->material[a],
-                         b < 0 ? f->wall[-1 - b] : f->material[b]);
+    return material_between(f->material, f->wall, a, b);
 }
 // May anything come of a and b being near each other?
 static inline bool soft_meets(const soft_frame *f, int a, int b)

@@ -184,9 +184,6 @@ void soft_hold(soft_solver *s, const soft_frame *f)
 //<
 
 //> soft-relax
-// One that is strained by more takes more substeps.
-static const real STRAINED = 0.01;          // tuned, 1
-
 // Sticks of a cloth may be off by as much.
 static const real CLOTH_TOLERANCE = 0.0025; // tuned, 1
 
@@ -317,17 +314,18 @@ void soft_certify(soft_solver *s, const soft_frame *f)
 //<
 
 //> soft-stretched
-// Squares spare the root.  A NaN is no strain of at most a hundredth.
+// Squares spare the root.  A NaN is no strain of at most so much.
 static bool is_stretched(const shape *s, const particle *p)
 {
     int links = shape_links(s);
+    real least = (1 - STRAINED) * (1 - STRAINED);
+    real most = (1 + STRAINED) * (1 + STRAINED);
     for (int k = 0; k < links; k++) {
         const stick *link = &s->stick[k];
         vec3 across = vec3_sub(p[link->b].position, p[link->a].position);
         real rest2 = link->rest_length * link->rest_length;
         real now = vec3_length_squared(across);
-        if (!(now >= 0.99 * 0.99 * rest2 && now <= 1.01 * 1.01 * rest2))
-            return true;
+        if (!(now >= least * rest2 && now <= most * rest2)) return true;
     }
     return false;
 }

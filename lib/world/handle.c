@@ -292,7 +292,6 @@ static status take_material(world *w, material *own, material m)
         return status_fail("restitution is %g; it must be at most 1",
                            m.restitution);
     *own = m;
-    w->has_materials = true;
     w->rigid.is_weighed = false;
     return status_ok();
 }

@@ -25,13 +25,6 @@ static real slow_speed(const world_options *o, real radius)
     return sleep_scaled(SLOW * o->sleep_speed, vec3_length(o->gravity), radius);
 }
 
-static real friction_of(const world *w, const contact *c)
-{
-    if (!w->has_materials) return w->options.friction;
-    material b = c->b < 0 ? w->wall[-1 - c->b] : w->rigid.material[c->b];
-    return material_meet(w->rigid.material[c->a], b).friction;
-}
-
 static real speed_across(vec3 u, vec3 normal)
 {
     return vec3_length(vec3_add_scaled(u, -vec3_dot(u, normal), normal));
@@ -102,7 +95,8 @@ static void brake_both(world *w, const contact *c, real load)
         || gains_speed(w, c)) return;
     if (speed < slow_speed(&w->options, radius))
         brake(t, c, rolls, most);
-    if (friction_of(w, c) > 0) brake(t, c, point, most);
+    material met = material_between(t->material, w->wall, c->a, c->b);
+    if (met.friction > 0) brake(t, c, point, most);
 }
 
 static bool has_round(const world *w)

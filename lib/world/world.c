@@ -522,10 +522,10 @@ void world_weigh(world *w)
     if (t->is_weighed) return;
     t->is_weighed = true;
     t->restitution = w->options.restitution;
-    for (int k = 0; k < w->planes && w->has_materials; k++)
+    for (int k = 0; k < w->planes; k++)
         t->restitution = real_max(w->wall[k].restitution, t->restitution);
     for (int b = 0; b < w->bodies; b++) {
-        if (w->has_materials && !body_is_gone(&w->body[b]))
+        if (!body_is_gone(&w->body[b]))
             t->restitution = real_max(t->material[b].restitution,
                                       t->restitution);
     }

@@ -294,7 +294,6 @@ typedef struct world {
     struct plane *plane;
     material *wall;         // [planes] what each is made of
     int *owner;             // [particles] of the pool: whose they are
-    bool has_materials;     // not all bodies and planes are of the world's
     bool is_damped;         // some rigid bodies are
     shape_entry *shape;     // [shapes]
     real time;              // s

@@ -977,13 +977,18 @@ static real tilted_by(const joint_rows *r)
     return length_of(r->error + r->lengths, r->held - r->lengths);
 }
 
-// What is far apart comes together no faster than an overlap goes.
+// What is far apart comes together no faster than an overlap goes: by so many radii,
+// or radians, a second.
 static real correction_share(const linkage *l, int k, const solver_frame *f)
 {
     const joint_rows *r = &l->rows[k];
-    real sum = 0, most = f->joint_rate * r->size * f->h;
-    for (int i = 0; i < r->held + l->joint[k].is_limited; i++)
-        sum += i < r->held || r->error[i] < 0 ? r->error[i] * r->error[i] : 0;
+    const joint *j = &l->joint[k];
+    real sum = 0, most = f->joint_rate * f->h;
+    for (int i = 0; i < r->held + j->is_limited; i++) {
+        bool is_angle = i < r->held ? i >= r->lengths : j->kind == JOINT_HINGE;
+        real e = is_angle ? r->error[i] : r->error[i] / r->size;
+        sum += i < r->held || e < 0 ? e * e : 0;
+    }
     return sum > most * most ? most / sqrt(sum) : 1;
 }
 

@@ -1385,6 +1385,34 @@ START_TEST(a_vertex_has_a_velocity_and_can_be_given_one)
 }
 END_TEST
 
+// rad, how far a hinge's axis is off in a few steps after it was tilted by .5 rad: a
+// box of that size (m), on the world.
+static double tilt_left(double size, int steps)
+{
+    const tumble_vec3 zero = { 0, 0, 0 }, x = { 1, 0, 0 }, z = { 0, 0, 1 };
+    tumble_world *w = weightless();
+    tumble_vec3 sides = { size, size, size };
+    tumble_body b = tumble_body_add(w, tumble_shape_box(w, sides, 1),
+                                    tumble_body_at(0, 0, 0));
+    tumble_joint_hinge(w, tumble_body_ground(), b, zero, z);
+    tumble_pose tilted = { zero, tumble_quat_turn(x, 0.5) };
+    ck_assert(tumble_body_set_pose(w, b, tilted));
+    for (int k = 0; k < steps; k++) tumble_world_step(w);
+    tumble_vec3 axis = tumble_quat_rotate(tumble_body_pose(w, b).rotation, z);
+    tumble_world_free(w);
+    return atan2(hypot(axis.x, axis.y), axis.z);
+}
+
+// Its sine goes by .22 a step (JOINS_BY), whatever the size.
+START_TEST(an_axis_that_is_off_comes_back_alike_at_every_size)
+{
+    for (double size = 0.01; size < 1000; size *= 10) {
+        near(sin(tilt_left(size, 2)), sin(0.5) - 2 * 0.22, 1e-3);
+        near(tilt_left(size, 6), 0, 1e-6);
+    }
+}
+END_TEST
+
 int main(void)
 {
     const TTest *const tests[] = {
@@ -1422,6 +1450,7 @@ int main(void)
         friction_of_a_ball_joint_stops_a_spin,
         a_vertex_has_a_velocity_and_can_be_given_one,
         a_world_that_is_put_back_does_the_same_again,
+        an_axis_that_is_off_comes_back_alike_at_every_size,
         a_ray_finds_all_that_it_meets_in_order,
         rope_and_cloth_are_met_where_they_are,
         a_rod_that_turns_meets_what_is_beside_it,

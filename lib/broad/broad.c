@@ -62,6 +62,7 @@ static int ball_is_empty(sphere ball)
 //<
 
 //> broad-box
+//>   The box around a ball is a few roundings wider than the ball.
 static bool ball_is_finite(sphere ball)
 {
     return vec3_is_finite(ball.center) && ball.radius - ball.radius == 0;

@@ -157,6 +157,13 @@ local function link_str(str)
   if page == '23-words' and str.text:match('^%(?%d%d%l?[,.;)]*$') then return link_number(str) end
 end
 
+-- A comma stays on the line of what a formula ends with, however narrow the page.
+local function join(one, two)
+  if one.t ~= 'RawInline' or not two.text:match('^[.,:;)]+$') then return { one, two } end
+  local before, last = one.text:match('^(.*<wbr/>)(.*)$')
+  return { raw((before or '') .. '<span class="joined">' .. (last or one.text) .. two.text .. '</span>') }
+end
+
 -- A comma or a bracket stays on the line of the formula or name it belongs to.
 local function keep_whole(list)
   local function is_short(inline)
@@ -166,7 +173,7 @@ local function keep_whole(list)
     local one, two = list[i], list[i + 1]
     if is_short(one) and two.t == 'Str' and two.text:match('^[%p]') or
        one.t == 'Str' and one.text:match('%($') and (is_short(two) or two.classes and two.classes[1] == 'whole') then
-      list[i] = pandoc.Span({ one, two }, { class = 'whole' })
+      list[i] = pandoc.Span(two.t == 'Str' and join(one, two) or { one, two }, { class = 'whole' })
       list:remove(i + 1)
     end
   end
@@ -351,6 +358,20 @@ end
 
 -- --- the page ---------------------------------------------------------------------
 
+-- The files of a page that is only code: where each begins.
+local function files_of(blocks)
+  local out, last = {}, nil
+  for _, para in ipairs(blocks) do
+    local caption = caption_in(para)
+    local file, line = (caption and caption.text or ''):match('([%w_.-]+), lines? (%d+)')
+    if file and file ~= last then
+      out[#out + 1] = '<li class="h2"><a href="#' .. file .. '-L' .. line .. '">' .. file .. '</a></li>'
+      last = file
+    end
+  end
+  return out
+end
+
 -- The list of a page's headings; each becomes a link to itself.
 local function side_of(blocks)
   local out = {}
@@ -361,6 +382,7 @@ local function side_of(blocks)
       header.content = { raw(whole and html_of(header.content) or link) }
     end
   end
+  if #out == 0 then out = files_of(blocks) end
   return '<ol>' .. table.concat(out, '\n') .. '</ol>'
 end
 
@@ -376,7 +398,10 @@ local function chapter(blocks, meta)
   if whole then page = names.page[pandoc.utils.stringify(blocks[1].content)] end
   taken = anchor(blocks, whole and (page:match('^%d%d%l?%-') or page .. '-') or '', page)
   if whole then blocks[1].identifier = page end
-  if not meta.home and not meta.write then meta.side = pandoc.MetaBlocks({ block(side_of(blocks)) }) end
+  if not meta.home and not meta.write then
+    meta.side = pandoc.MetaBlocks({ block(side_of(blocks)) })
+    meta['side-title'] = page and page:match('^%d') and 'In this chapter' or 'On this page'
+  end
   local live = blocks:filter(is_live)
   meta.live = #live > 0 or meta.home
   -- The picture of a card that is passed on.

@@ -12,7 +12,7 @@
 void attract(const particle *p, const real *mass, int n, real G, vec3 *force);
 
 // The area (m^2) of the triangle between sun, previous and position, along its
-// normal: towards the one who sees the body go round counter-clockwise.
+// normal: to the side from which the body is seen to go round counter-clockwise.
 vec3 area_swept(const particle *p, vec3 sun);
 
 #endif

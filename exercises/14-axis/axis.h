@@ -14,7 +14,7 @@ void axis_spreads(const vec3 *at, int n, real spread[3]);
 
 // 0, 1 or 2: the axis along which to sort.  `before` is the axis that the line
 // is sorted along now (-1: none yet).  Another one is worth it only if the
-// points are more than STUBBORN times as wide along it: sorting anew is dear.
+// points are more than STUBBORN times as wide along it: sorting from nothing is slow.
 // Of several, the widest; of equals, the first.  (Width is the root of spread.)
 #define STUBBORN 1.25
 

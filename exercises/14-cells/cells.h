@@ -42,8 +42,8 @@ int cells_fill(cells *g, const vec3 *at, real size);
 // The pairs no further apart than reach, a < b, each once, in any order; out
 // keeps the first `capacity`.  Returns how many there are; or -1 if a point has
 // no cell, or if reach is not from 0 to size: then neighbouring cells would not
-// be enough.  Measures the distance of those only who stand in the same cell or
-// in neighbouring ones.
+// be enough.  Measures the distance only of points in the same cell or in
+// neighbouring ones.
 int cells_pairs(cells *g, const vec3 *at, real size, real reach,
                 int (*out)[2], int capacity);
 

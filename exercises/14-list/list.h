@@ -27,7 +27,7 @@ typedef struct {
 // if a point is no number.
 int list_is_good(const near_list *l, const vec3 *at);
 
-// Makes the list for where the points are now.  A NaN is near nobody.
+// Makes the list for where the points are now.  A NaN is near no other point.
 void list_make(near_list *l, const vec3 *at);
 
 // The pairs that are within reach now, a < b, sorted by a, then by b; out keeps

@@ -23,8 +23,8 @@ typedef struct {
 // or if a number is a NaN: then *time is as it was.
 int ray_box(const crate *box, ray r, real *time);
 
-// The boxes stand in a line, sorted by low.x, so that who begins further right
-// comes later.  reach[k] is how far right anybody of the first k + 1 reaches.
+// The boxes stand in a line, sorted by low.x, so that one that begins further right
+// comes later.  reach[k] is how far right any of the first k + 1 reaches.
 void ray_reaches(const crate *box, int n, real *reach);
 
 typedef struct {
@@ -34,7 +34,7 @@ typedef struct {
 } ray_hit;
 
 // Asks only for boxes whose shadows on the x axis the ray crosses before it has
-// met anybody, and some that lie among these.
+// met one, and some that lie among these.
 ray_hit ray_first(const crate *box, const real *reach, int n, ray r);
 
 #endif

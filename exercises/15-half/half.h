@@ -22,8 +22,8 @@ typedef struct {
 void half_distances(const vec3 *at, int points, const half_link *link,
                     int links, real most, real *room);
 
-// Moves the points towards where they want to be; who wants to go further than
-// he has room goes in the same direction, as far as he may.  A wish that is no
+// Moves the points towards where they want to be; one that wants to go further than
+// it has room goes in the same direction, as far as it may.  A wish that is no
 // number is none.  Returns how many were held back.
 int half_move(vec3 *at, int points, const vec3 *want, const real *room);
 

@@ -31,7 +31,7 @@ typedef struct {
 // options all but gravity are the default ones.  Fails with "line N: " and a
 // sentence, N from 1 on: a word that is not known, a number too many, too few,
 // or not finite, a line of TEXT_LINE characters or more, a body too many, and
-// whatever is refused by those who build shapes and worlds.  *s is empty then.
+// what the builders of shapes and worlds refuse.  *s is empty then.
 status text_scene_read(text_scene *s, const char *text);
 
 // Gives everything back.  *s is empty after it; an empty or zeroed one is fine.

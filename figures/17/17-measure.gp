@@ -14,7 +14,7 @@ set xlabel "time of a frame, ms" textcolor rgb ink
 eval box(66, 350, 346, 566)
 set title "Hanging, 50 boxes and 100 kg: gap"
 set label 1 "joint by joint" at 2.2,300 textcolor rgb orange
-set label 2 "as a tree" at 0.25,1.5e-4 textcolor rgb blue font bold
+set label 2 "as a tree" at 7,1.2e-3 textcolor rgb blue font bold
 plot csv index 1 using 3:2 with linespoints pt 6 ps 0.91 lc rgb orange lw 1.6, \
      csv index 1 using 3:2:1 with labels offset 0.9,0.75 textcolor rgb orange font small, \
      csv index 0 using 3:2 with linespoints pt 7 ps 0.91 lc rgb blue lw 2, \
@@ -24,7 +24,7 @@ unset label
 eval box(420, 704, 346, 566)
 set title "Thrown from the horizontal: gap"
 set label 1 "joint by joint" at 4,6000 textcolor rgb orange
-set label 2 "as a tree" at 0.25,1.5e-4 textcolor rgb blue font bold
+set label 2 "as a tree" at 7,1.2e-3 textcolor rgb blue font bold
 plot csv index 3 using 3:2 with linespoints pt 6 ps 0.91 lc rgb orange lw 1.6, \
      csv index 3 using ($1 == 16 || $1 == 32 ? NaN : $3):2:1 with labels offset 0.9,0.75 textcolor rgb orange font small, \
      csv index 2 using 3:2 with linespoints pt 7 ps 0.91 lc rgb blue lw 2, \

@@ -20,7 +20,7 @@ set yrange [1e-12:1e5]
 eval box(430, 706, 52, 294)
 set title "Energy of motion, J"
 set label 1 "forgotten" at 9.9,10 right textcolor rgb orange
-set label 2 "always asked" at 9.9,8e-4 right textcolor rgb quiet
+set label 2 "always asked" at 3.9,5e-7 textcolor rgb quiet
 set label 3 "kept" at 6.4,1e-10 textcolor rgb blue
 plot csv index 0 using 1:($7>1e-12?$7:1e-12) with lines lc rgb orange lw 1.5, \
      csv index 0 using 1:($6>1e-12?$6:1e-12) with lines lc rgb grey lw 1.5, \

@@ -49,7 +49,7 @@ export async function makeDesk(place, plan) {
     button('Begin again', again), button('Save as a file', save), button('Open a file', () => file.click()), file);
   const room = make('div', { className: 'workshop-editor' });
   place.replaceChildren(make('div', { className: 'workshop-bar' }, act, end, state, bar), room, more, said);
-  if (!isHere()) state.textContent = `The first time brings a compiler, ${megabytes()} MB; Ctrl-Enter does the same.`;
+  if (!isHere()) state.textContent = `The first time brings a compiler, ${megabytes()} MB${matchMedia('(pointer: coarse)').matches ? '.' : '; Ctrl-Enter does the same.'}`;
 
   const changed = () => kept.set(plan.key, desk.text);
   const desk = {

@@ -62,16 +62,17 @@ static int ball_is_empty(sphere ball)
 //<
 
 //> broad-box
-// No pair may be lost that balls_meet would find.  With u = 2^-53, what one
-// operation rounds, boxes of balls that pass it overlap but for 3 u (ra + rb).
-// Each end here is wrong by at most 2.1 u (|x| + r).  So each is set further
-// out, by 8 u (|x| + r), which is more than both.
+//>   The box around a ball is a few roundings wider than the ball.
 static bool ball_is_finite(sphere ball)
 {
     return vec3_is_finite(ball.center) && ball.radius - ball.radius == 0;
 }
 
-// A ball that is not finite may be anywhere.
+// No pair may be lost that balls_meet would find.  With u = 2^-53, what one
+// operation rounds, boxes of balls that pass it overlap but for 3 u (ra + rb).
+// Each end here is wrong by at most 2.1 u (|x| + r).  So each is set further
+// out, by 8 u (|x| + r), which is more than both.  A ball that is not finite may
+// be anywhere.
 static aabb box_of_ball(sphere ball)
 {
     vec3 c = ball.center, all = { HUGE_VAL, HUGE_VAL, HUGE_VAL };

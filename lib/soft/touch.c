@@ -263,6 +263,13 @@ static real pressed_into(const line_hold *hold, vec3 normal)
     return real_max(-vec3_dot(hold->pull, normal), 0);
 }
 
+// Two things are one, as tiles side by side are, if the normal of the one leans
+// rather along the other's than along its surface.
+static bool is_one_side(vec3 a, vec3 b)
+{
+    return vec3_length(along_side(a, b)) < vec3_dot(a, b);
+}
+
 // A particle leaves what does not move by the shortest way.  Its diagonals may
 // have lifted it off; if the strands will press it on, it goes back, for what
 // counts is the sum of both.  They will find it held; where two things do, they
@@ -279,6 +286,7 @@ static bool touch_fixed(const soft_frame *f, int i, surface_point at,
     real came = vec3_dot(vec3_sub(p->previous, p->position), at.normal);
     p->position = vec3_add_scaled(p->position, depth, at.normal);
     bool is_held = hold->state != LINE_FREE;
+    if (is_held && is_one_side(at.normal, hold->normal)) return true;
     hold->normal = at.normal;
     slide_particle(p, hold, m.friction * pressed, apart);
     if (is_held) hold->state = LINE_STICKS;

@@ -113,8 +113,8 @@ typedef struct {
     real a[JOINT_ROWS][MOTIONS], b[JOINT_ROWS][MOTIONS];
     real error[JOINT_ROWS];         // m, rad; of the limit: what is left
     bool is_upper;              // the limit is the greater of the two
-    real begun[JOINT_ROWS];     // the joint's impulse when the substep began,
-    bool was_upper, was_broken; // and the rest, to begin it again
+    joint begun;                // as the substep found it, and the limit, to
+    bool was_upper;             // begin it again
     bool rubs;                  // something presses one that is joined to it
     bool is_free;               // its tree is joined to nothing that no pull moves
     real pushed[JOINT_ROWS];    // the impulse before the bodies moved, and that
@@ -141,9 +141,6 @@ typedef struct {
     real kick;                  // s, for which forces act;
     real hard, kept;            // the give of a row that holds, and N s, what it
                                 // gave when the substep began
-    joint_drive drive_begun;
-    bool cone_begun[2];         // which of swing and twist held, and
-    bool slip_begun;            // did it slip?
     real cone_want[2];          // what they want, rad/s, held or not
     real twist_size;            // of friction: of the axis of its second row;
     real turning[3];            // rad/s, along its rows as it is now;
@@ -212,6 +209,12 @@ void joint_points(const joint *j, const rigid_frame *a, const rigid_frame *b,
 static inline int joint_ball_rows(const joint *j)
 {
     return j->friction > 0 ? 3 : 2 * j->is_coned;
+}
+
+// Does it hold anything?
+static inline bool joint_holds(const joint *j)
+{
+    return j->kind != JOINT_NONE && !j->is_broken;
 }
 
 // Can it be driven?

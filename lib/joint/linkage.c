@@ -21,32 +21,20 @@ static bool make_joint_room(linkage *l, const joint *j)
 {
     int n = l->count, room = table_room(n + 1, l->capacity);
     int need = 1 + int_max(j->a, j->b), bodies = table_room(need, l->bodies);
+    bool ok = TABLE_ADD(l->tied, l->ties, l->tie_room);
     if (room > l->capacity) {
-        if (!table_grow(&l->joint, n, room, sizeof *l->joint)
-            || !table_grow(&l->rows, n, room, sizeof *l->rows)
-            || !table_grow(&l->role, n, room, sizeof *l->role)
-            || !table_grow(&l->step, 2 * n, 2 * room, sizeof *l->step)
-            || !table_grow(&l->apart, n, room, sizeof *l->apart))
-            return false;
-        l->capacity = room;
-    }
-    int ties = table_room(l->ties + 1, l->tie_room);
-    if (ties > l->tie_room) {
-        if (!table_grow(&l->tied, l->ties, ties, sizeof *l->tied))
-            return false;
-        l->tie_room = ties;
+        TABLE_GROW(ok, l->joint, n, room);
+        TABLE_GROW(ok, l->rows, n, room);
+        TABLE_GROW(ok, l->role, n, room);
+        TABLE_GROW(ok, l->step, 2 * n, 2 * room);
+        TABLE_GROW(ok, l->apart, n, room);
+        if (ok) l->capacity = room;
     }
     if (bodies > l->bodies) {
-        if (!table_grow(&l->body, l->bodies, bodies, sizeof *l->body))
-            return false;
-        l->bodies = bodies;
+        TABLE_GROW(ok, l->body, l->bodies, bodies);
+        if (ok) l->bodies = bodies;
     }
-    return true;
-}
-
-static bool joint_holds(const joint *j)
-{
-    return j->kind != JOINT_NONE && !j->is_broken;
+    return ok;
 }
 
 // A joint that is added brings one more at most.
@@ -512,8 +500,8 @@ static void push_more(linkage *l, const linkage_pass *q, int number,
         j->impulse[k] += more[k];
         if (more[k] != 0) r->since[k] = 0;
     }
-    if (j->a >= 0) find_end(l, q, j->a);
-    if (j->b >= 0) find_end(l, q, j->b);
+    find_end(l, q, j->a);
+    find_end(l, q, j->b);
 }
 
 static bool switch_drive(linkage *l, const linkage_pass *q, int number,
@@ -543,10 +531,7 @@ static bool switch_limit(linkage *l, const linkage_pass *q, int number,
     if (pushes && !(j->impulse[k] < 0)) return false;
     if (pushes) {
         back[k] = -j->impulse[k];
-        push_both(q, j, r, back);
-        j->impulse[k] = 0;
-        find_end(l, q, j->a);
-        find_end(l, q, j->b);
+        push_more(l, q, number, back);
     } else {
         what(l, q, number, want);
         if (!(want[k] > 0)) return false;
@@ -966,9 +951,7 @@ static real parted_by(const joint *j, const joint_rows *r)
     if (j->kind == JOINT_DISTANCE && j->is_driven) return 0;
     if (j->kind == JOINT_DISTANCE)
         return j->is_limited ? real_max(-e[0], 0) : fabs(e[0]);
-    if (j->kind == JOINT_SLIDER) return sqrt(e[0] * e[0] + e[1] * e[1]);
-    if (j->kind == JOINT_LOCK) return length_of(e, r->lengths);
-    return sqrt(e[0] * e[0] + e[1] * e[1] + e[2] * e[2]);
+    return length_of(e, r->lengths);
 }
 
 // rad, by how much the axes that it holds are off.
@@ -1093,21 +1076,6 @@ static void find_sizes(linkage *l, const linkage_pass *q)
 //>   The parts come together in four functions, one for each moment of a
 //>   substep. Joints that stand alone go first, in an order that turns round
 //>   every time; then come the trees, which hold best.
-static void remember_drive(const joint *j, joint_rows *r)
-{
-    r->drive_begun = j->drive;
-    r->slip_begun = j->slips;
-    memcpy(r->cone_begun, j->cone_holds, sizeof r->cone_begun);
-}
-
-static void remember(const joint *j, joint_rows *r)
-{
-    memcpy(r->begun, j->impulse, sizeof r->begun);
-    r->was_upper = r->is_upper;
-    r->was_broken = j->is_broken;
-    if (j->extra > 0) remember_drive(j, r);
-}
-
 // What closed a joint's gap at the end of the last substep is what the next one
 // begins with.  While its bodies swing evenly that grows by as much as it grew
 // before; what changed by more than this share was struck.  (Half and double take
@@ -1141,7 +1109,10 @@ void linkage_forget_impulses(linkage *l, int k)
 
 void linkage_mark(linkage *l)
 {
-    for (int k = 0; k < l->count; k++) remember(&l->joint[k], &l->rows[k]);
+    for (int k = 0; k < l->count; k++) {
+        l->rows[k].begun = l->joint[k];
+        l->rows[k].was_upper = l->rows[k].is_upper;
+    }
 }
 
 void linkage_scale(linkage *l, real times)
@@ -1184,16 +1155,10 @@ void linkage_rewind(linkage *l, const linkage_pass *q)
     for (int k = 0; k < l->count; k++) {
         joint *j = &l->joint[k];
         joint_rows *r = &l->rows[k];
-        memcpy(j->impulse, r->begun, sizeof j->impulse);
-        memcpy(r->older, r->begun, sizeof r->older);
+        l->broken -= j->is_broken && !r->begun.is_broken;
+        *j = r->begun;
+        memcpy(r->older, j->impulse, sizeof r->older);
         r->is_upper = r->was_upper;
-        if (j->extra > 0) {
-            j->drive = r->drive_begun;
-            j->slips = r->slip_begun;
-            memcpy(j->cone_holds, r->cone_begun, sizeof j->cone_holds);
-        }
-        l->broken -= j->is_broken && !r->was_broken;
-        j->is_broken = r->was_broken;
     }
     begin_roles(l, q);
 }
@@ -1252,12 +1217,10 @@ void linkage_push(linkage *l, const linkage_pass *q, bool is_last)
 static real force_of(const joint *j, const joint_rows *r, real h)
 {
     const real *p = j->impulse;
-    if (j->kind == JOINT_LOCK) return length_of(p, r->lengths) / h;
-    if (j->kind == JOINT_DISTANCE)
-        return fabs(p[0]) / h;
+    if (j->kind == JOINT_DISTANCE) return fabs(p[0]) / h;
     if (j->kind == JOINT_SLIDER)
         return sqrt(p[0] * p[0] + p[1] * p[1] + p[5] * p[5]) / h;
-    return sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) / h;
+    return length_of(p, r->lengths) / h;
 }
 
 // A substep turns a body by 0.075 rad (FOLLOWED / TURN_PACE, substeps.c): how fast it

@@ -292,9 +292,8 @@ void join_wake(world *w)
 {
     for (int k = 0; k < w->joints.count && w->sleep.sleepers > 0; k++) {
         const joint *j = &w->joints.joint[k];
-        if (j->kind == JOINT_NONE || j->is_broken || j->a < 0 || j->b < 0)
-            continue;
-        world_wake_near(w, j->a, j->b);
+        if (joint_holds(j) && j->a >= 0 && j->b >= 0)
+            world_wake_near(w, j->a, j->b);
     }
 }
 
@@ -337,7 +336,7 @@ void join_islands_of_joints(world *w)
     for (int k = 0; k < l->count; k++) {
         const joint *j = &l->joint[k];
         if (j->is_broken && l->broken > 0) renew_pairs(w, j);
-        if (j->kind == JOINT_NONE || j->is_broken) continue;
+        if (!joint_holds(j)) continue;
         hold_slow(w, j->a);
         hold_slow(w, j->b);
         if (is_dynamic(w, j->a) && is_dynamic(w, j->b))

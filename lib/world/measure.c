@@ -110,8 +110,7 @@ static bool may_overlap(const world *w, int a, int b)
     for (int k = 0; k < w->joints.count; k++) {
         const joint *j = &w->joints.joint[k];
         bool is_it = (j->a == a && j->b == b) || (j->a == b && j->b == a);
-        if (is_it && j->kind != JOINT_NONE && !j->is_broken && !j->may_touch)
-            return true;
+        if (is_it && joint_holds(j) && !j->may_touch) return true;
     }
     return false;
 }

@@ -80,8 +80,8 @@ static void find_islands(world *w)
     }
     for (int k = 0; k < w->joints.count; k++) {
         const joint *j = &w->joints.joint[k];
-        if (j->kind != JOINT_NONE && !j->is_broken && goes(w, j->a)
-            && goes(w, j->b)) unite(t, j->a, j->b);
+        if (joint_holds(j) && goes(w, j->a) && goes(w, j->b))
+            unite(t, j->a, j->b);
     }
     if (w->softs > 0) unite_softs(w);
 }
@@ -108,7 +108,7 @@ static void find_grounds(world *w)
     for (int k = 0; k < w->joints.count; k++) {
         const joint *j = &w->joints.joint[k];
         int a = goes(w, j->a) ? j->a : j->b, b = j->a + j->b - a;
-        if (j->kind != JOINT_NONE && !j->is_broken && goes(w, a) && !goes(w, b))
+        if (joint_holds(j) && goes(w, a) && !goes(w, b))
             stand_on(w, &t->island[island_root(t->island, a)], b);
     }
 }
@@ -282,7 +282,7 @@ static void request_for_joints(world *w)
     for (int k = 0; k < w->joints.count; k++) {
         const joint *j = &w->joints.joint[k];
         island *i = rungs_island(w, j->a, j->b);
-        if (!i || j->kind == JOINT_NONE || j->is_broken) continue;
+        if (!i || !joint_holds(j)) continue;
         i->pace = real_max(i->pace, w->joints.rows[k].pace);
         w->joints.rows[k].rubs = i->rubs;
         i->hangs = true;

@@ -17,13 +17,39 @@ typedef struct {
     vec3 low, high;     // m
 } aabb;
 
+static inline vec3 vec3_min(vec3 a, vec3 b)
+{
+    return vec3_make(real_min(a.x, b.x), real_min(a.y, b.y), real_min(a.z, b.z));
+}
+
+static inline vec3 vec3_max(vec3 a, vec3 b)
+{
+    return vec3_make(real_max(a.x, b.x), real_max(a.y, b.y), real_max(a.z, b.z));
+}
+
 static inline aabb aabb_join(aabb a, aabb b)
 {
-    return (aabb){
-        { real_min(a.low.x, b.low.x), real_min(a.low.y, b.low.y),
-          real_min(a.low.z, b.low.z) },
-        { real_max(a.high.x, b.high.x), real_max(a.high.y, b.high.y),
-          real_max(a.high.z, b.high.z) } };
+    return (aabb){ vec3_min(a.low, b.low), vec3_max(a.high, b.high) };
+}
+
+static inline aabb aabb_with(aabb a, vec3 x)
+{
+    return aabb_join(a, (aabb){ x, x });
+}
+
+// How far x is outside of an interval, beyond 0; a NaN stays one.
+static inline real real_outside(real x, real low, real high)
+{
+    return x < low ? low - x : x > high ? x - high : x - x;
+}
+
+// The square of the distance from the box to x: m^2.
+static inline real aabb_distance_squared(const aabb *a, vec3 x)
+{
+    vec3 d = { real_outside(x.x, a->low.x, a->high.x),
+               real_outside(x.y, a->low.y, a->high.y),
+               real_outside(x.z, a->low.z, a->high.z) };
+    return vec3_length_squared(d);
 }
 
 static inline bool aabbs_meet(const aabb *a, const aabb *b)

@@ -90,7 +90,7 @@ static aabb box_of(const surface *s, int triangle)
     real size = 0;
     surface_prism(s, triangle, at);
     for (int k = 0; k < PRISM_CORNERS; k++) {
-        b = aabb_join(b, (aabb){ at[k], at[k] });
+        b = aabb_with(b, at[k]);
         size = real_max(size, vec3_length_squared(at[k]));
     }
     return aabb_wider(b, 0x1p-40 * sqrt(size));
@@ -264,13 +264,10 @@ static real measure_behind(void *context, int triangle)
     look_behind *l = context;
     const int *v = l->s->triangle[triangle];
     aabb b = aabb_empty();
-    for (int i = 0; i < 3; i++) {
-        vec3 x = l->s->point[v[i]];
-        b = aabb_join(b, (aabb){ x, x });
-    }
+    for (int i = 0; i < 3; i++) b = aabb_with(b, l->s->point[v[i]]);
     for (int k = 0; k < LOOKS && triangle != l->triangle; k++) {
         vec3 from = l->from[k], to = vec3_add(from, l->way);
-        aabb w = aabb_join((aabb){ from, from }, (aabb){ to, to });
+        aabb w = aabb_with((aabb){ from, from }, to);
         if (!aabbs_meet(&w, &b)) continue;
         real in = surface_entry(l->s, triangle, from, to);
         real out = 1 - surface_entry(l->s, triangle, to, from);
@@ -293,9 +290,8 @@ static real depth_of(const surface *s, int triangle)
         vec3 x = middle;
         if (k < 3) x = vec3_scale(0.5, vec3_add(x, s->point[v[k]]));
         l.from[k] = vec3_add_scaled(x, -1e-6, l.way);
-        vec3 to = vec3_add(l.from[k], l.way);
-        q.thing = aabb_join(q.thing, (aabb){ l.from[k], l.from[k] });
-        q.thing = aabb_join(q.thing, (aabb){ to, to });
+        q.thing = aabb_with(q.thing, l.from[k]);
+        q.thing = aabb_with(q.thing, vec3_add(l.from[k], l.way));
     }
     surface_visit(s, &q);
     real thinnest = real_max(0.01 * s->thickness,

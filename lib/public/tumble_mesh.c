@@ -307,9 +307,8 @@ static bool enters(void *surroundings, int b, vec3 from, vec3 to, plane *side)
                   .below = HUGE_VAL };
     for (int k = w->first_mesh; k > 0; k = inside_next_mesh(w, k)) {
         const body_place *x = slots_at(&w->bodies, k - 1);
-        surface_query q = { .thing = aabb_join((aabb){ from, from },
-                                              (aabb){ to, to }), .most = 1,
-                            .meets = enter_prism, .context = &p };
+        surface_query q = { .thing = aabb_with((aabb){ from, from }, to),
+                            .most = 1, .meets = enter_prism, .context = &p };
         p.surface = &x->mesh->surface;
         if (!aabbs_meet(&p.surface->prisms.node[1], &q.thing)
             || !is_awaited(&w->world, b, x->piece[0].number)) continue;

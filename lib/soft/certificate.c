@@ -57,31 +57,15 @@ static int vertex_at(const frame_search *l, int b, int column, int row)
 
 //> certificate-boxes
 //>   Most parts are nowhere near each other: their boxes say so.
-static vec3 low_corner(vec3 a, vec3 b)
+static aabb box_cells(const frame_search *l, cell_range r, int e)
 {
-    return vec3_make(real_min(a.x, b.x), real_min(a.y, b.y),
-                     real_min(a.z, b.z));
-}
-
-static vec3 high_corner(vec3 a, vec3 b)
-{
-    return vec3_make(real_max(a.x, b.x), real_max(a.y, b.y),
-                     real_max(a.z, b.z));
-}
-
-static void box_cells(const frame_search *l, cell_range r, int e, swept_box *box)
-{
-    const vec3 *at = l->c->at[e];
-    vec3 low = at[vertex_at(l, r.body, r.left, r.top)], high = low;
+    const vec3 *at = l->c->at[e], *first = &at[vertex_at(l, r.body, r.left, r.top)];
+    aabb box = { *first, *first };
     for (int j = r.top; j <= r.bottom; j++) {
         const vec3 *x = &at[vertex_at(l, r.body, 0, j)];
-        for (int i = r.left; i <= r.right; i++) {
-            low = low_corner(low, x[i]);
-            high = high_corner(high, x[i]);
-        }
+        for (int i = r.left; i <= r.right; i++) box = aabb_with(box, x[i]);
     }
-    box->low[e] = low;
-    box->high[e] = high;
+    return box;
 }
 
 static void box_part(const frame_search *l, cell_part p)
@@ -90,27 +74,21 @@ static void box_part(const frame_search *l, cell_part p)
     swept_box *box = &l->c->box[p.box];
     halve(p, half);
     for (int k = 0; k < 2 && half[0].box >= 0; k++) box_part(l, half[k]);
-    for (int e = 0; e < ENDS; e++) {
-        if (half[0].box < 0) {
-            box_cells(l, p.cells, e, box);
-            continue;
-        }
-        const swept_box *x = &l->c->box[half[0].box];
-        const swept_box *y = &l->c->box[half[1].box];
-        box->low[e] = low_corner(x->low[e], y->low[e]);
-        box->high[e] = high_corner(x->high[e], y->high[e]);
-    }
+    for (int e = 0; e < ENDS; e++)
+        box->at[e] = half[0].box < 0 ? box_cells(l, p.cells, e)
+                   : aabb_join(l->c->box[half[0].box].at[e],
+                               l->c->box[half[1].box].at[e]);
 }
 
 // By how much, and along which axis?  m, 0: not.
 static real gap_of_boxes(const frame_search *l, cell_part a, cell_part b, vec3 *n)
 {
-    const swept_box *x = &l->c->box[a.box], *y = &l->c->box[b.box];
-    vec3 over = low_corner(vec3_sub(x->low[0], y->high[0]),
-                           vec3_sub(x->low[1], y->high[1]));
-    vec3 under = low_corner(vec3_sub(y->low[0], x->high[0]),
-                            vec3_sub(y->low[1], x->high[1]));
-    vec3 gap = high_corner(over, under);
+    const aabb *x = l->c->box[a.box].at, *y = l->c->box[b.box].at;
+    vec3 over = vec3_min(vec3_sub(x[0].low, y[0].high),
+                         vec3_sub(x[1].low, y[1].high));
+    vec3 under = vec3_min(vec3_sub(y[0].low, x[0].high),
+                          vec3_sub(y[1].low, x[1].high));
+    vec3 gap = vec3_max(over, under);
     real most = real_max(real_max(gap.x, gap.y), gap.z);
     *n = (vec3){ 0, 0, 0 };
     if (most == gap.x)      n->x = over.x > under.x ? 1 : -1;
@@ -330,10 +308,10 @@ static vec3 lowest_of(const frame_search *l, int e, const certified_set *s,
     lowest low = { { 0, 0, 0 }, HUGE_VAL };
     cell_range r = s->part.cells;
     if (s->part.box >= 0) {
-        const swept_box *b = &l->c->box[s->part.box];
-        return vec3_make(n.x > 0 ? b->low[e].x : b->high[e].x,
-                         n.y > 0 ? b->low[e].y : b->high[e].y,
-                         n.z > 0 ? b->low[e].z : b->high[e].z);
+        const aabb *b = &l->c->box[s->part.box].at[e];
+        return vec3_make(n.x > 0 ? b->low.x : b->high.x,
+                         n.y > 0 ? b->low.y : b->high.y,
+                         n.z > 0 ? b->low.z : b->high.z);
     }
     for (int i = 0; i < s->count; i++) lower_to(&low, at[s->vertex[i]], n);
     for (int j = r.top; j <= r.bottom && s->count == 0; j++) {
@@ -669,20 +647,17 @@ static real path_difference_beside(const vec3 *from, const vec3 *to, const body 
 static void measure_paths(const frame_search *l, const vec3 *from)
 {
     certificate *c = l->c;
-    vec3 low = { HUGE_VAL, HUGE_VAL, HUGE_VAL }, high = vec3_scale(-1, low);
+    aabb ways = aabb_empty();
     real most = 0;
     for (int n = 0; n < l->f->softs; n++) {
         const body *x = &l->f->body[l->f->soft[n]];
         if (!is_certified(l->f, l->f->soft[n])) continue;
         most = real_max(most, path_difference_beside(from, c->at[1], x,
                                                      c->beside));
-        for (int v = x->first; v < x->first + body_particles(x); v++) {
-            vec3 way = vec3_sub(c->at[1][v], from[v]);
-            low = low_corner(low, way);
-            high = high_corner(high, way);
-        }
+        for (int v = x->first; v < x->first + body_particles(x); v++)
+            ways = aabb_with(ways, vec3_sub(c->at[1][v], from[v]));
     }
-    c->apart = vec3_distance(low, high);
+    c->apart = vec3_distance(ways.low, ways.high);
     c->bent = sqrt(most);
 }
 
@@ -1099,7 +1074,7 @@ void certificate_begin(certificate *c, const soft_frame *f)
 // substep of what is stiff: what cannot be is asked for in every one.
 bool certificate_is_due(certificate *c, const soft_frame *f)
 {
-    vec3 low = { HUGE_VAL, HUGE_VAL, HUGE_VAL }, high = vec3_scale(-1, low);
+    aabb ways = aabb_empty();
     real spacing = HUGE_VAL;
     c->since += f->h;
     if (!(c->since * (f->stiff_substeps + 1) > f->frame)) return false;
@@ -1107,13 +1082,11 @@ bool certificate_is_due(certificate *c, const soft_frame *f)
         const body *x = &f->body[f->soft[n]];
         if (!is_certified(f, f->soft[n])) continue;
         spacing = real_min(spacing, x->shape->spacing);
-        for (int v = x->first; v < x->first + body_particles(x); v++) {
-            vec3 way = vec3_sub(f->particle[v].position, c->at[0][v]);
-            low = low_corner(low, way);
-            high = high_corner(high, way);
-        }
+        for (int v = x->first; v < x->first + body_particles(x); v++)
+            ways = aabb_with(ways, vec3_sub(f->particle[v].position,
+                                            c->at[0][v]));
     }
-    return vec3_distance(low, high) > spacing;
+    return vec3_distance(ways.low, ways.high) > spacing;
 }
 
 // The reader hears all: if there was no room for them, as they are found again.

@@ -68,7 +68,7 @@ typedef void witness_reader(void *to, const witness *w);
 //> certificate-struct
 // The box around a part of a cloth, at both ends.
 typedef struct {
-    vec3 low[ENDS], high[ENDS];
+    aabb at[ENDS];
 } swept_box;
 
 // Two facets without a common vertex that no plane parts at both ends.

@@ -2,6 +2,7 @@
 //>   Memory is asked for once, for the largest cloth, so that a step never
 //>   fails for want of it.
 #include "grid.h"
+#include "aabb_tree.h"
 
 #include <assert.h>
 #include <math.h>
@@ -45,28 +46,21 @@ typedef struct {
     int  nx, ny, nz;
 } cell_cut;
 
-static vec3 lower_corner(vec3 a, vec3 b)
-{
-    return (vec3){ a.x < b.x ? a.x : b.x, a.y < b.y ? a.y : b.y,
-                   a.z < b.z ? a.z : b.z };
-}
-
 // Cells as wide as the reach, or, if there are too many of them, a quarter
 // wider, and again, up to six times the reach.  0: that is not enough.
 static int cut_box(cell_cut *c, const vec3 *at, int n, real reach, int cells)
 {
-    vec3 least = at[0], most = vec3_scale(-1, at[0]);
+    aabb all = { at[0], at[0] };
     real sum = 0;
     for (int i = 0; i < n; i++) {
-        least = lower_corner(least, at[i]);
-        most = lower_corner(most, vec3_scale(-1, at[i]));
+        all = aabb_with(all, at[i]);
         sum += 0 * (at[i].x + at[i].y + at[i].z);
     }
-    vec3 size = vec3_scale(-1, vec3_add(most, least));
+    vec3 size = vec3_sub(all.high, all.low);
     for (real side = reach; sum == 0 && side < 6 * reach; side *= 1.25) {
         real x = size.x / side, y = size.y / side, z = size.z / side;
         if (!((x + 1) * (y + 1) * (z + 1) <= cells)) continue;
-        *c = (cell_cut){ least, side, (int)x + 1, (int)y + 1, (int)z + 1 };
+        *c = (cell_cut){ all.low, side, (int)x + 1, (int)y + 1, (int)z + 1 };
         return 1;
     }
     return 0;

@@ -16,7 +16,7 @@ rigid_frame soft_rigid_frame(const soft_frame *f, int b)
 // What the moves of some particles since their listing have in common: they end
 // in a box, and none is longer than the longest.
 typedef struct {
-    vec3 least, most;   // m
+    aabb box;           // m
     real longest;       // m^2
     real fastest;       // m^2, the longest of the last substep
 } moves_box;
@@ -31,12 +31,7 @@ static inline real longer(real a, vec3 d)
 // d: since the listing; u: in the last substep.
 static inline void add_move(moves_box *m, vec3 d, vec3 u)
 {
-    m->least = (vec3){ d.x < m->least.x ? d.x : m->least.x,
-                       d.y < m->least.y ? d.y : m->least.y,
-                       d.z < m->least.z ? d.z : m->least.z };
-    m->most = (vec3){ d.x > m->most.x ? d.x : m->most.x,
-                      d.y > m->most.y ? d.y : m->most.y,
-                      d.z > m->most.z ? d.z : m->most.z };
+    m->box = aabb_join((aabb){ d, d }, m->box);
     m->longest = longer(m->longest, d);
     m->fastest = longer(m->fastest, u);
 }
@@ -92,7 +87,7 @@ static bool lists_are_good(near_lists *l, const soft_frame *f)
         if (body_is_soft(&f->body[b])) add_soft_moves(&m, l, f, &f->body[b]);
         else                           add_rigid_moves(&m, l, f, b);
     }
-    real apart = vec3_distance(m.least, m.most), both = 2 * sqrt(m.longest);
+    real apart = vec3_distance(m.box.low, m.box.high), both = 2 * sqrt(m.longest);
     real left = l->margin - (apart < both ? apart : both);
     real pace = 2 * FASTER * sqrt(m.fastest);
     if (!(left > 0)) return false;
@@ -439,37 +434,17 @@ void near_refresh(near_lists *l, rigid_view *v, const soft_frame *f)
 
 //> near-candidates
 //>   Which bodies are asked at all.
-typedef struct {
-    vec3 least, most;   // m
-} box;
-
-static box box_around(const vec3 *at, int n)
+static aabb box_around(const vec3 *at, int n)
 {
-    box x = { at[0], at[0] };
-    for (int i = 1; i < n; i++) {
-        x.least = (vec3){ real_min(x.least.x, at[i].x),
-                          real_min(x.least.y, at[i].y),
-                          real_min(x.least.z, at[i].z) };
-        x.most = (vec3){ real_max(x.most.x, at[i].x),
-                         real_max(x.most.y, at[i].y),
-                         real_max(x.most.z, at[i].z) };
-    }
+    aabb x = { at[0], at[0] };
+    for (int i = 1; i < n; i++) x = aabb_with(x, at[i]);
     return x;
 }
 
-// m, beyond 0 outside of the two ends; a NaN stays one.
-static real outside(real x, real least, real most)
+static bool is_far(const aabb *x, sphere ball, real reach)
 {
-    return x < least ? least - x : x > most ? x - most : x - x;
-}
-
-static bool is_far(box x, sphere ball, real reach)
-{
-    vec3 d = { outside(ball.center.x, x.least.x, x.most.x),
-               outside(ball.center.y, x.least.y, x.most.y),
-               outside(ball.center.z, x.least.z, x.most.z) };
     real apart = ball.radius + reach;
-    return vec3_length_squared(d) > apart * apart;
+    return aabb_distance_squared(x, ball.center) > apart * apart;
 }
 
 // Two bodies that are further apart than this (m) cannot be near in the frame, if
@@ -489,11 +464,11 @@ static void mark_near(near_lists *l, const soft_frame *f, int a, real reach)
 {
     const body *soft = &f->body[a];
     if (soft->shape->particles == 0) return;
-    box around = box_around(l->at + soft->first, soft->shape->particles);
+    aabb around = box_around(l->at + soft->first, soft->shape->particles);
     l->is_near[a] = true;
     for (int b = 0; b < f->bodies; b++)
         if (!body_is_soft(&f->body[b]))
-            l->is_near[b] |= !is_far(around, f->ball[b],
+            l->is_near[b] |= !is_far(&around, f->ball[b],
                                      reach + soft->thickness);
 }
 
@@ -523,8 +498,8 @@ static void choose_candidates(near_lists *l, const soft_frame *f,
 static sphere ball_of_box(const vec3 *at, int n)
 {
     if (n == 0) return (sphere){ { 0, 0, 0 }, -HUGE_VAL };
-    box all = box_around(at, n);
-    vec3 middle = vec3_scale(0.5, vec3_add(all.least, all.most));
+    aabb all = box_around(at, n);
+    vec3 middle = vec3_scale(0.5, vec3_add(all.low, all.high));
     real far2 = 0;
     for (int i = 0; i < n; i++)
         far2 = longer(far2, vec3_sub(at[i], middle));

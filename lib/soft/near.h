@@ -11,6 +11,7 @@
 #ifndef TUMBLE_NEAR_H
 #define TUMBLE_NEAR_H
 
+#include "aabb_tree.h"
 #include "placed.h"
 #include "facet.h"
 #include "grid.h"

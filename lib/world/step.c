@@ -384,11 +384,6 @@ static bool wake_sleepers(world *w, real *passed)
 //>   The ball around a part of a mesh is much larger than the part, and most
 //>   bodies that reach into it come nowhere near. The axes of a part are those of
 //>   the world, so it has a box.
-static real beyond(real x, real low, real high)
-{
-    return x < low ? low - x : x > high ? x - high : 0;
-}
-
 // Does part b of something lie outside of that ball?
 static bool is_past(const world *w, int b, sphere ball)
 {
@@ -396,17 +391,9 @@ static bool is_past(const world *w, int b, sphere ball)
     vec3 origin = vec3_sub(w->rigid.now[b].frame.center,
                            w->body[b].rigid->center);
     vec3 x = vec3_sub(ball.center, origin);
-    vec3 low = s->at[0], high = s->at[0];
-    for (int i = 1; i < s->particles; i++) {
-        vec3 p = s->at[i];
-        low = vec3_make(real_min(low.x, p.x), real_min(low.y, p.y),
-                        real_min(low.z, p.z));
-        high = vec3_make(real_max(high.x, p.x), real_max(high.y, p.y),
-                         real_max(high.z, p.z));
-    }
-    vec3 d = { beyond(x.x, low.x, high.x), beyond(x.y, low.y, high.y),
-               beyond(x.z, low.z, high.z) };
-    return vec3_length_squared(d) > ball.radius * ball.radius;
+    aabb around = { s->at[0], s->at[0] };
+    for (int i = 1; i < s->particles; i++) around = aabb_with(around, s->at[i]);
+    return aabb_distance_squared(&around, x) > ball.radius * ball.radius;
 }
 //<
 

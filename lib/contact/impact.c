@@ -37,13 +37,10 @@ void impact_push(const impact_row *r, real impulse, motion *velocity)
     for (int side = A; side <= B; side++) {
         if (!(r->inverse[side] > 0)) continue;
         real j = side == A ? impulse : -impulse;
-        real straight = j * r->inverse[side];
-        real *u = velocity[r->body[side]].of;
-        u[0] += straight * r->along.x;
-        u[1] += straight * r->along.y;
-        u[2] += straight * r->along.z;
+        motion *u = &velocity[r->body[side]];
+        motion_add_straight(u, j * r->inverse[side], r->along);
         for (int t = 0; t < TURNS; t++)
-            u[MOTION_TURN + t] += j * r->turn[side][t];
+            u->of[MOTION_TURN + t] += j * r->turn[side][t];
     }
 }
 

@@ -82,12 +82,8 @@ static real closing_speed(const impact *x);
 static void fall_in_impact(const impact_pair *p, vec3 gravity, real time,
                            motion u[BODIES])
 {
-    for (int side = A; side < BODIES; side++) {
-        if (!p->falls[side]) continue;
-        u[side].of[0] += time * gravity.x;
-        u[side].of[1] += time * gravity.y;
-        u[side].of[2] += time * gravity.z;
-    }
+    for (int side = A; side < BODIES; side++)
+        if (p->falls[side]) motion_add_straight(&u[side], time, gravity);
 }
 
 // The body goes with its new velocity, but only for the rest of the substep: what
@@ -153,8 +149,7 @@ static bool meets_fast(const impact_solver *s, impact *x, real slowest)
     vec3 way[BODIES], turn[BODIES];
     for (int side = A; side < BODIES; side++) {
         int b = side == A ? c->a : c->b;
-        const real *u = x->u[side].of;
-        way[side] = vec3_make(u[0], u[1], u[2]);
+        way[side] = motion_straight(&x->u[side]);
         turn[side] = motion_rotation(x->pair.basis[side], &x->u[side]);
         if (b >= 0) spin += s->f->body[b].radius * vec3_length(turn[side]);
     }
@@ -260,18 +255,10 @@ static bool are_balls(const contact *c)
         && !(vec3_distance(p->local_b, origin) > 0);
 }
 
-// Two balls meet along the line of their centres.
-static void face_each_other(contact *c, const rigid_frame at[BODIES])
-{
-    if (are_balls(c))
-        c->normal = vec3_unit(vec3_sub(at[A].center, at[B].center));
-}
-
 static vec3 predicted_center(const solver_frame *f, int b, const motion *u,
                    const motion *moved)
 {
-    vec3 way = { moved->of[0] + f->h * u->of[0], moved->of[1] + f->h * u->of[1],
-                 moved->of[2] + f->h * u->of[2] };
+    vec3 way = vec3_add_scaled(motion_straight(moved), f->h, motion_straight(u));
     return vec3_add(f->body[b].frame.center, way);
 }
 
@@ -286,13 +273,15 @@ bool restitution_face(contact *c, const solver_frame *f,
 }
 
 // The bodies stand as they do at a time t (a share of the substep).  A gap closes as
-// each side goes; both are struck at one place.
+// each side goes; both are struck at one place.  Two balls meet along the line of
+// their centres.
 static void stand_at(impact *x, const impact_solver *s, real t, arms_of *of)
 {
     const contact *c = x->found;
     predict_at(x, s, A, c->a, t * s->f->h);
     if (c->b >= 0) predict_at(x, s, B, c->b, t * s->f->h);
-    face_each_other(&x->c, x->at);
+    if (are_balls(c))
+        x->c.normal = vec3_unit(vec3_sub(x->at[A].center, x->at[B].center));
     for (int k = 0; k < c->count; k++)
         x->arm[k] = of(&x->c, k, &x->at[A], c->b < 0 ? NULL : &x->at[B]);
 }

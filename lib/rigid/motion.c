@@ -58,9 +58,7 @@ motion motion_make(const motion_basis *basis, vec3 velocity, vec3 spin)
 //>   An impulse at a point changes all six.
 void motion_push(motion *m, const motion_basis *basis, vec3 arm, vec3 impulse)
 {
-    m->of[0] += basis->inverse_mass * impulse.x;
-    m->of[1] += basis->inverse_mass * impulse.y;
-    m->of[2] += basis->inverse_mass * impulse.z;
+    motion_add_straight(m, basis->inverse_mass, impulse);
     motion_twist(m, basis, vec3_cross(arm, impulse));
 }
 

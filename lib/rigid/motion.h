@@ -111,6 +111,14 @@ static inline real motion_answer(real sum, const motion_basis *basis,
     return sum;
 }
 
+// Adds so many times v (m/s, or m) to the way of the centre.
+static inline void motion_add_straight(motion *m, real times, vec3 v)
+{
+    m->of[0] += times * v.x;
+    m->of[1] += times * v.y;
+    m->of[2] += times * v.z;
+}
+
 static inline void motion_add(motion *m, const motion *more)
 {
     for (int i = 0; i < MOTIONS; i++) m->of[i] += more->of[i];

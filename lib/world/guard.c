@@ -41,8 +41,7 @@ static void sum_motion(world *w)
         const motion *u = &t->velocity[b];
         if (t->touches[b] && !t->now[b].is_driven)
             add_motion(budget_of(w, b), motion_energy(basis, u),
-                       vec3_make(u->of[0], u->of[1], u->of[2]),
-                       basis->inverse_mass);
+                       motion_straight(u), basis->inverse_mass);
     }
 }
 
@@ -226,13 +225,11 @@ void guard_soft(world *w)
 static void lift_to(world *w, int b, plane side, real high)
 {
     vec3 *center = &w->rigid.now[b].frame.center, n = side.normal;
-    real *u = w->rigid.velocity[b].of;
+    motion *u = &w->rigid.velocity[b];
     real up = high - plane_height(side, *center);
-    real down = real_min(vec3_dot(n, vec3_make(u[0], u[1], u[2])), 0);
+    real down = real_min(vec3_dot(n, motion_straight(u)), 0);
     *center = vec3_add_scaled(*center, up, n);
-    u[0] -= down * n.x;
-    u[1] -= down * n.y;
-    u[2] -= down * n.z;
+    motion_add_straight(u, -down, n);
 }
 
 // Contacts are those of the frame's start, and what was hit hard may turn past
@@ -244,22 +241,6 @@ static void stop_at_plane(world *w, int b, plane p)
         lift_to(w, b, p, high);
 }
 
-static void stop_chunk(void *data, int item)
-{
-    world *w = data;
-    int end = task_end(item, w->rigid.awakes);
-    for (int i = task_first(item); i < end; i++) {
-        int b = w->rigid.awake[i];
-        bool may = w->rigid.moves[b] && !body_meets_none(&w->body[b]);
-        for (int k = 0; k < w->planes && may; k++)
-            stop_at_plane(w, b, w->plane[k]);
-    }
-}
-
-void guard_planes(world *w)
-{
-    tasks_run(w->options.host.run, stop_chunk, w, task_chunks(w->rigid.awakes));
-}
 //<
 
 //> guard-faces
@@ -281,14 +262,24 @@ static void stop_at_faces(world *w, int b)
 }
 
 // (The centre of several pieces may be in none of them: a ring falls over a pole.)
-void guard_faces(world *w)
+static void stop_chunk(void *data, int item)
 {
-    if (!w->options.host.enters) return;
-    for (int k = 0; k < w->rigid.awakes; k++) {
-        int b = w->rigid.awake[k];
-        if (w->rigid.moves[b] && w->rigid.dynamic[b] && !w->body[b].rides)
-            stop_at_faces(w, b);
+    world *w = data;
+    const rigid_tables *t = &w->rigid;
+    int end = task_end(item, t->awakes);
+    for (int i = task_first(item); i < end; i++) {
+        int b = t->awake[i];
+        bool may = t->moves[b] && !body_meets_none(&w->body[b]);
+        for (int k = 0; k < w->planes && may; k++)
+            stop_at_plane(w, b, w->plane[k]);
+        if (w->options.host.enters && t->moves[b] && t->dynamic[b]
+            && !w->body[b].rides) stop_at_faces(w, b);
     }
+}
+
+void guard_walls(world *w)
+{
+    tasks_run(w->options.host.run, stop_chunk, w, task_chunks(w->rigid.awakes));
 }
 //<
 
@@ -428,15 +419,10 @@ static close_pair pair_of(const rigid_tables *t, const int side[2])
     return p;
 }
 
-static vec3 straight_of(const motion *u)
-{
-    return vec3_make(u->of[0], u->of[1], u->of[2]);
-}
-
 static vec3 angular_of(const close_pair *p)
 {
     real sum = p->basis[0].inverse_mass + p->basis[1].inverse_mass;
-    vec3 apart = vec3_sub(straight_of(&p->u[0]), straight_of(&p->u[1]));
+    vec3 apart = vec3_sub(motion_straight(&p->u[0]), motion_straight(&p->u[1]));
     vec3 own = vec3_add(motion_angular(&p->basis[0], &p->u[0]),
                         motion_angular(&p->basis[1], &p->u[1]));
     return vec3_add_scaled(own, 1 / sum, vec3_cross(p->r, apart));
@@ -501,8 +487,8 @@ static void move_both(rigid_tables *t, int small, int large, const lost_side *s)
                                       s->normal);
     b->frame.center = vec3_add_scaled(b->frame.center, -s->need * y / (x + y),
                                       s->normal);
-    const real *u = t->velocity[small].of, *v = t->velocity[large].of;
-    vec3 apart = { u[0] - v[0], u[1] - v[1], u[2] - v[2] };
+    vec3 apart = vec3_sub(motion_straight(&t->velocity[small]),
+                          motion_straight(&t->velocity[large]));
     vec3 moment = vec3_scale(s->need / (x + y), vec3_cross(apart, s->normal));
     const int both[2] = { small, large };
     if (x > 0 && y > 0) turn_together(t, both, moment);

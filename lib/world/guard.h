@@ -25,11 +25,9 @@ void guard_soft(world *w);
 // Nothing goes through a body that it touches.
 void guard_bodies(world *w);
 
-// No centre of mass goes behind a plane, or further behind than it was.
-void guard_planes(world *w);
-
-// And none goes in through a face of what surrounds bodies.
-void guard_faces(world *w);
+// No centre of mass goes behind a plane, or further behind than it was; and none
+// goes in through a face of what surrounds bodies.
+void guard_walls(world *w);
 
 #endif
 //<

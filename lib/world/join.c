@@ -308,9 +308,8 @@ static void renew_pairs(world *w, const joint *j)
 static void hold_slow(world *w, int b)
 {
     if (b < 0 || !w->rigid.moves[b]) return;
-    const real *u = w->rigid.velocity[b].of;
     real fall = w->rigid.age[b] * vec3_length(body_gravity(w, b));
-    vec3 v = { u[0], u[1], u[2] };
+    vec3 v = motion_straight(&w->rigid.velocity[b]);
     w->rigid.held[b] |= vec3_length_squared(v) < fall * fall;
 }
 

@@ -42,9 +42,9 @@ static void add_particles(ledger_entry *sum, const world *w, const body *b,
 static void add_rigid(ledger_entry *sum, const world *w, int b)
 {
     const solver_body *now = &w->rigid.now[b];
-    const real *u = w->rigid.velocity[b].of, *d = w->rigid.moved[b].of;
     real ahead = w->rigid.halfway[b];
-    vec3 v = { u[0], u[1], u[2] }, moved = { d[0], d[1], d[2] };
+    vec3 v = motion_straight(&w->rigid.velocity[b]);
+    vec3 moved = motion_straight(&w->rigid.moved[b]);
     vec3 middle = vec3_add_scaled(vec3_add(now->frame.center, moved), ahead, v);
     add_mass(sum, w->body[b].mass, middle, v, body_gravity(w, b), 2 * ahead);
     sum->energy += motion_energy(&now->basis, &w->rigid.velocity[b]);

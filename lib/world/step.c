@@ -139,8 +139,7 @@ static void solve_frame(world *w, real *since)
     rolling_brake(w);
     guard_brake(w, advance_end(w));
     guard_bodies(w);
-    guard_planes(w);
-    guard_faces(w);
+    guard_walls(w);
     drive_hold(w);
     if (w->softs > 0 && w->options.certified) soft_prove(w);
     ledger_book(w, LEDGER_CONTACTS);
@@ -557,16 +556,13 @@ static void fall(world *w, real h)
     for (int k = 0; k < w->rigid.awakes; k++) {
         int b = w->rigid.awake[k];
         if (!w->rigid.moves[b] || w->rigid.now[b].is_driven) continue;
-        vec3 g = vec3_scale((w->rigid.age[b] + h) / 2, body_gravity(w, b));
-        real *u = w->rigid.velocity[b].of;
-        u[0] += g.x;
-        u[1] += g.y;
-        u[2] += g.z;
+        motion *u = &w->rigid.velocity[b];
+        motion_add_straight(u, (w->rigid.age[b] + h) / 2, body_gravity(w, b));
         if (w->rigid.is_loaded) {
             motion more = world_load(w, b, h);
-            motion_add(&w->rigid.velocity[b], &more);
+            motion_add(u, &more);
         }
-        if (w->is_damped) damp(&w->body[b], h, u);
+        if (w->is_damped) damp(&w->body[b], h, u->of);
     }
 }
 

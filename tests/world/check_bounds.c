@@ -259,7 +259,7 @@ END_TEST
 // A box in the air is struck down by five times its mass, at 20 to 400 m/s: in the
 // frame of the blow it would come to the ground, of which nothing was asked when
 // the frame began.
-// Rejects: a step without guard_planes (26 of these centres come below).
+// Rejects: a step without guard_walls (26 of these centres come below).
 START_TEST(what_is_struck_down_stays_above_the_ground)
 {
     for (int k = 0; k < 300; k++) {

@@ -3,6 +3,7 @@
 //>   keep a sentence and return nothing.
 #include "inside.h"
 #include "join.h"
+#include "table.h"
 
 #include <limits.h>
 #include <stdarg.h>
@@ -97,13 +98,8 @@ body_place *inside_body(tumble_world *w, tumble_body b)
 
 bool inside_reserve_owner(tumble_world *w)
 {
-    int need = w->world.bodies + 1;
-    if (need <= w->owners) return true;
-    int *more = realloc(w->owner, 2 * (size_t)need * sizeof *more);
-    if (!more) return inside_is_ok(w, status_out_of_memory());
-    w->owner = more;
-    w->owners = 2 * need;
-    return true;
+    return TABLE_ADD(w->owner, w->world.bodies, w->owners)
+        || inside_is_ok(w, status_out_of_memory());
 }
 
 unsigned inside_locked(const tumble_world *w, const body_place *x)

@@ -4,6 +4,7 @@
 //>   left behind. All prisms of a surface are pieces of one body, whose seams
 //>   chapter 11 closes.
 #include "inside.h"
+#include "table.h"
 #include "weight.h"
 
 #include <math.h>
@@ -15,13 +16,12 @@ static bool reserve_piece(body_place *x)
 {
     body_mesh *m = x->mesh;
     if (x->pieces < m->room) return true;
-    size_t room = 2 * (size_t)m->room + 16;
-    body_piece *piece = realloc(x->piece, room * sizeof *piece);
-    if (piece) x->piece = piece;
-    mesh_piece *of = realloc(m->of, room * sizeof *of);
-    if (of) m->of = of;
-    if (piece && of) m->room = (int)room;
-    return piece && of;
+    int room = table_room(x->pieces + 1, m->room);
+    bool ok = true;
+    TABLE_GROW(ok, x->piece, x->pieces, room);
+    TABLE_GROW(ok, m->of, x->pieces, room);
+    if (ok) m->room = room;
+    return ok;
 }
 
 // Adds a triangle's prism to the bodies.  Where memory is refused it stays away;
@@ -148,13 +148,8 @@ static sphere *seen_of(tumble_world *w, body_mesh *m, int b)
 {
     int k = find_seen_body(m, b);
     if (k < m->seens && m->seen[k].body == b) return &m->seen[k].ball;
-    if (m->seens == m->seen_room) {
-        int room = 2 * m->seen_room + 16;
-        mesh_seen *more = realloc(m->seen, (size_t)room * sizeof *more);
-        if (!more) return inside_is_ok(w, status_out_of_memory()), NULL;
-        m->seen = more;
-        m->seen_room = room;
-    }
+    if (!TABLE_ADD(m->seen, m->seens, m->seen_room))
+        return inside_is_ok(w, status_out_of_memory()), NULL;
     memmove(m->seen + k + 1, m->seen + k,
             (size_t)(m->seens++ - k) * sizeof *m->seen);
     m->seen[k] = (mesh_seen){ b, { { 0, 0, 0 }, -1 } };

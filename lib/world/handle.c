@@ -160,12 +160,9 @@ void world_push(world *w, int b, vec3 impulse, vec3 at)
 
 void world_push_particle(world *w, int b, int i, vec3 impulse)
 {
-    assert(b >= 0 && b < w->bodies && body_is_soft(&w->body[b]));
-    assert(i >= 0 && i < body_particles(&w->body[b]));
     assert(vec3_is_finite(impulse));
-    world_wake(w, b);
+    particle *p = world_particle(w, b, i);
     w->is_still = false;
-    particle *p = &w->pool.at[w->body[b].first + i];
     p->previous = vec3_add_scaled(p->previous, -w->age * p->inverse_mass,
                                   impulse);
 }
@@ -185,12 +182,9 @@ vec3 world_particle_velocity(const world *w, int b, int i)
 
 bool world_set_particle_velocity(world *w, int b, int i, vec3 velocity)
 {
-    assert(b >= 0 && b < w->bodies && body_is_soft(&w->body[b]));
-    assert(i >= 0 && i < body_particles(&w->body[b]));
     assert(vec3_is_finite(velocity));
-    world_wake(w, b);
+    particle *p = world_particle(w, b, i);
     w->is_still = false;
-    particle *p = &w->pool.at[w->body[b].first + i];
     if (!(p->inverse_mass > 0)) return false;
     vec3 v = vec3_sub(velocity, since_then(w, b));
     p->previous = vec3_add_scaled(p->position, -w->age, v);

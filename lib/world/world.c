@@ -148,7 +148,7 @@ void world_remove_plane(world *w, int k)
     set_plane(w, k, NO_PLANE);
 }
 
-static particle *soft_particle(world *w, int b, int i)
+particle *world_particle(world *w, int b, int i)
 {
     assert(b >= 0 && b < w->bodies && body_is_soft(&w->body[b]));
     assert(i >= 0 && i < body_particles(&w->body[b]));
@@ -158,14 +158,14 @@ static particle *soft_particle(world *w, int b, int i)
 
 void world_pin(world *w, int b, int i)
 {
-    particle *p = soft_particle(w, b, i);
+    particle *p = world_particle(w, b, i);
     p->inverse_mass = w->inverse_mass[w->body[b].first + i] = 0;
     p->previous = p->position;
 }
 
 void world_unpin(world *w, int b, int i)
 {
-    particle *p = soft_particle(w, b, i);
+    particle *p = world_particle(w, b, i);
     const body *x = &w->body[b];
     real inverse = body_is_static(x) ? 0 : 1 / x->shape->mass[i];
     p->inverse_mass = w->inverse_mass[x->first + i] = inverse;
@@ -553,22 +553,13 @@ static int find_place(const world *w, int particles)
     return best;
 }
 
-// The same for a part: the first that has four particles.
-static int find_part_place(world *w)
+// The first one from b on that has so many: four for a part, none for a piece.
+static int first_place(const world *w, int b, int particles)
 {
-    int *b = &w->part_place;
     if (w->gone == 0) return w->bodies;
-    while (*b < w->bodies
-           && !(body_is_gone(&w->body[*b]) && w->body[*b].room == FOUR)) ++*b;
-    return *b;
-}
-
-// And for a piece: the first that has none.
-static int find_piece_place(const world *w)
-{
-    for (int b = 0; b < w->bodies && w->gone > 0; b++)
-        if (body_is_gone(&w->body[b]) && w->body[b].room == 0) return b;
-    return w->bodies;
+    while (b < w->bodies
+           && !(body_is_gone(&w->body[b]) && w->body[b].room == particles)) b++;
+    return b;
 }
 
 static body body_made(const world *w, int entry, const placement *where)
@@ -634,7 +625,8 @@ static status put_body(world *w, const shape *s, placement where, bool is_part,
     if (!done.ok) return done;
     body x = body_made(w, entry, &where);
     int n = body_particles(&x);
-    int b = is_part ? find_part_place(w) : find_place(w, n);
+    if (is_part) w->part_place = first_place(w, w->part_place, FOUR);
+    int b = is_part ? w->part_place : find_place(w, n);
     done = enter_body(w, x, b);
     if (!done.ok) return done;
     while (w->pool.count < w->body[b].first + n)
@@ -686,7 +678,7 @@ status world_add_piece(world *w, const shape *s, int of, int *number)
     status done = enter_shape(w, s, true, &entry);
     if (!done.ok) return done;
     body x = body_made(w, entry, &where), *whole = &w->body[of];
-    int b = find_piece_place(w), next = whole->next;
+    int b = first_place(w, 0, 0), next = whole->next;
     x.rides = of + 1;
     x.round = 0;
     x.next = next;

@@ -29,8 +29,9 @@ typedef struct {
     // adds parts and removes parts (world_add_part), and says whether it added
     // some.  NULL: there is nothing of which parts come and go.
     bool (*surround)(void *surroundings);
-    // Called after that part: does the way of the centre of body b go in through
-    // one of their faces?  The first such face goes to *side.
+    // Called after that part, by several threads at once: does the way of the
+    // centre of body b go in through one of their faces?  The first such face goes
+    // to *side.
     bool (*enters)(void *surroundings, int b, vec3 from, vec3 to, plane *side);
     void *surroundings;
     // Shall the bodies of this contact push each other in this part of a frame?
@@ -377,6 +378,9 @@ status world_add_plane(world *w, vec3 normal, real offset);
 int    world_next_plane(const world *w);
 void   world_remove_plane(world *w, int k);
 bool   world_has_plane(const world *w, int k);
+
+// Particle i of the deformable body b, which wakes.
+particle *world_particle(world *w, int b, int i);
 
 // Pins particle i of the deformable body b where it is.  At any time.
 void   world_pin(world *w, int b, int i);

@@ -97,26 +97,13 @@ status actuator_set_spring(joint *j, real rest, real stiffness, real damping,
 //>   How hard is it to move a body along the free way of its joint? A door turns
 //>   about its hinge, and not about its centre. So the row alone does not say it:
 //>   it is the last number of the inverse of $`K`$, with the rows that hold.
-static real row_coupling(const joint_rows *r, int k, int l, real mass_a,
-                         real mass_b)
-{
-    real straight_a = 0, straight_b = 0, turning = 0;
-    for (int i = 0; i < MOTION_TURN; i++) {
-        straight_a += r->a[k][i] * r->a[l][i];
-        straight_b += r->b[k][i] * r->b[l][i];
-    }
-    for (int i = MOTION_TURN; i < MOTIONS; i++)
-        turning += r->a[k][i] * r->a[l][i] + r->b[k][i] * r->b[l][i];
-    return mass_a * straight_a + mass_b * straight_b + turning;
-}
-
 real actuator_inverse(const joint_rows *r, real mass_a, real mass_b)
 {
     real k[JOINT_ROWS][JOINT_ROWS];
     int last = r->held;
     for (int i = 0; i <= last; i++)
         for (int m = 0; m <= last; m++)
-            k[i][m] = row_coupling(r, i, m, mass_a, mass_b);
+            k[i][m] = joint_coupling(JOINT_ROWS, r, i, m, mass_a, mass_b);
     small_invert(last + 1, k);
     return k[last][last] > 0 ? 1 / k[last][last] : 0;
 }

@@ -9,6 +9,7 @@
 #ifndef TUMBLE_JOINT_H
 #define TUMBLE_JOINT_H
 
+#include "inline.h"
 #include "solver.h"
 
 // A ball joint: a point of A and a point of B stay together.  A hinge: an axis
@@ -240,6 +241,33 @@ void joint_errors(const joint *j, const joint_rows *r, const rigid_frame *a,
 // A symmetric, positive matrix of n <= JOINT_ROWS rows becomes its inverse.  A
 // row that nothing answers becomes zeros.
 void small_invert(int n, real m[JOINT_ROWS][JOINT_ROWS]);
+
+// Three rows are those of a ball joint: each moves the centre along one axis only.
+// So a row begins there, ends there, and goes on with the turns.
+ALWAYS_INLINE int straight_first(int rows, int row)
+{
+    return rows == 3 ? row : 0;
+}
+
+ALWAYS_INLINE int straight_end(int rows, int row)
+{
+    return rows == 3 ? row + 1 : MOTION_TURN;
+}
+
+// K_kl: so a unit impulse along row k, of n, moves bodies of these inverse masses
+// (1/kg) along row l.
+ALWAYS_INLINE real joint_coupling(int n, const joint_rows *r, int k, int l,
+                                  real mass_a, real mass_b)
+{
+    real straight_a = 0, straight_b = 0, turning = 0;
+    for (int i = straight_first(n, k); i < straight_end(n, k); i++) {
+        straight_a += r->a[k][i] * r->a[l][i];
+        straight_b += r->b[k][i] * r->b[l][i];
+    }
+    for (int i = MOTION_TURN; i < MOTIONS; i++)
+        turning += r->a[k][i] * r->a[l][i] + r->b[k][i] * r->b[l][i];
+    return mass_a * straight_a + mass_b * straight_b + turning;
+}
 
 // x becomes m x.
 static inline void small_times(int n, real m[JOINT_ROWS][JOINT_ROWS], real *x)

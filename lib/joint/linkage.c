@@ -213,18 +213,6 @@ static const rigid_frame *end_of(const linkage *l, const linkage_pass *q, int b)
 //> linkage-apply
 //>   A row gives a speed, and takes an impulse. Both walk over the six numbers
 //>   of each body's motion.
-// Three rows are those of a ball joint: each moves the centre along one axis only.
-// So a row begins there, ends there, and goes on with the turns.
-ALWAYS_INLINE int straight_first(int rows, int row)
-{
-    return rows == 3 ? row : 0;
-}
-
-ALWAYS_INLINE int straight_end(int rows, int row)
-{
-    return rows == 3 ? row + 1 : MOTION_TURN;
-}
-
 ALWAYS_INLINE real rows_dot(int rows, int k, const real row[MOTIONS],
                             const real speed[MOTIONS])
 {
@@ -446,21 +434,6 @@ static void begin_drives(linkage *l, const linkage_pass *q)
 //>   A joint can be solved by itself, as in the exercise of chapter 13. This is
 //>   the plain form. Joints that close a ring are solved like this, and with
 //>   `is_plain` all are, to measure what the trees are worth.
-// A unit impulse along row k moves the bodies along row l by K_kl; of n rows.
-ALWAYS_INLINE real coupling(int n, const linkage_pass *q, const joint *j,
-                            const joint_rows *r, int k, int l)
-{
-    real straight_a = 0, straight_b = 0, turning = 0;
-    for (int i = straight_first(n, k); i < straight_end(n, k); i++) {
-        straight_a += r->a[k][i] * r->a[l][i];
-        straight_b += r->b[k][i] * r->b[l][i];
-    }
-    for (int i = MOTION_TURN; i < MOTIONS; i++)
-        turning += r->a[k][i] * r->a[l][i] + r->b[k][i] * r->b[l][i];
-    return basis_of(q->f, j->a)->inverse_mass * straight_a
-         + basis_of(q->f, j->b)->inverse_mass * straight_b + turning;
-}
-
 // A joint gives way as a spring does, by a share of its own K in a substep.  It
 // must: where bodies form a ring, or hang between two walls, some rows say the
 // same twice, and a joint without any give would bear whatever rounding says.
@@ -473,9 +446,11 @@ static void factor_alone(linkage *l, const linkage_pass *q, int number)
 {
     const joint *j = &l->joint[number];
     joint_rows *r = &l->rows[number];
+    real mass_a = basis_of(q->f, j->a)->inverse_mass;
+    real mass_b = basis_of(q->f, j->b)->inverse_mass;
     for (int k = 0; k < r->count; k++) {
         for (int i = 0; i < r->count; i++)
-            r->inverse[k][i] = coupling(r->count, q, j, r, k, i);
+            r->inverse[k][i] = joint_coupling(r->count, r, k, i, mass_a, mass_b);
         r->give[k] = GIVE_ALONE * r->inverse[k][k];
         r->inverse[k][k] += r->give[k];
     }
@@ -716,9 +691,12 @@ ALWAYS_INLINE void factor(int n, const linkage_pass *q, linkage_body *tip,
                           real (*row)[MOTIONS], real (*row_on)[MOTIONS])
 {
     real beyond[JOINT_ROWS][MOTIONS];
+    real mass_a = basis_of(q->f, j->a)->inverse_mass;
+    real mass_b = basis_of(q->f, j->b)->inverse_mass;
     for (int k = 0; k < n; k++) {
         for (int i = 0; i < n; i++) r->inverse[k][i] = 0;
-        r->inverse[k][k] = r->give[k] = GIVE * coupling(n, q, j, r, k, k);
+        r->inverse[k][k] = r->give[k] = GIVE * joint_coupling(n, r, k, k, mass_a,
+                                                              mass_b);
     }
     if (tip) find_answers(n, tip, row, beyond, r->inverse);
     find_answers(n, on, row_on, r->answer, r->inverse);

@@ -125,8 +125,9 @@ static void add_near(near_lists *l, const body *a, const body *b,
 // The ends of a link do not collide, the stick holds them apart: in a square
 // grid they stand at 0.91 diameters.  Nor do, here, those of a cell's diagonals,
 // at 1.29: they are looked after in every substep.  The next stand at 1.82.
-// The grid knows the neighbours by their places, the tree by this distance.
-static const real LINKED = 1.5;             // tuned, diameters
+// The grid knows the neighbours by their places, the tree by a distance (diameters)
+// between these two: any other would leave out the same.
+static const real LINKED = 1.5;
 
 // A body against itself: equal balls, which a grid sorts fastest.  Where one is
 // thrown far out of the others, the tree is asked.

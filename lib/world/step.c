@@ -477,9 +477,9 @@ static void find_manifolds(world *w)
 // one.
 static const real DAMPING = 10;             // tuned, 1
 static const real PARTS_BY = 0.055;         // tuned, radii a frame
-// Joints come together no faster than this (limits of an angle: by so many radians).
-// By a fourth a ring of small boxes that swings came apart.
-static const real JOINS_BY = 0.22;          // tuned, radii a frame
+// Joints come together four times as fast at most (limits of an angle: by so many
+// radians).  As fast as overlaps, a ring of small boxes that swings came apart.
+enum { JOINS_FASTER = 4 };
 
 static solver_frame solver_frame_of(const world *w, int substeps)
 {
@@ -493,7 +493,7 @@ static solver_frame solver_frame_of(const world *w, int substeps)
         .warm = o->warm_start ? 1 : 0, .age = w->rigid.age,
         .material = w->rigid.material, .wall = w->wall,
         .hertz = o->hertz, .damping = DAMPING, .max_rate = PARTS_BY / o->dt,
-        .joint_rate = JOINS_BY / o->dt,
+        .joint_rate = JOINS_FASTER * PARTS_BY / o->dt,
         .restitution = w->rigid.restitution, .gravity = o->gravity,
         .run = o->host.run };
 }

@@ -1403,7 +1403,7 @@ static double tilt_left(double size, int steps)
     return atan2(hypot(axis.x, axis.y), axis.z);
 }
 
-// Its sine goes by .22 a step (JOINS_BY), whatever the size.
+// Its sine goes by .22 a step (step.c), whatever the size.
 START_TEST(an_axis_that_is_off_comes_back_alike_at_every_size)
 {
     for (double size = 0.01; size < 1000; size *= 10) {

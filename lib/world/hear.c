@@ -21,8 +21,9 @@ static vec3 heard_at(const world *w, const contact *c)
 }
 
 // If there is no memory, it is not written.
-static void write(world *w, const contact *c, real impulse)
+static void hear_impact(void *listener, const contact *c, real impulse)
 {
+    world *w = listener;
     rigid_tables *t = &w->rigid;
     if (!(impulse > 0) || c->count == 0) return;
     if (!TABLE_ADD(t->heard, t->hears, t->heard_room)) return;
@@ -64,11 +65,6 @@ void hear_contacts(world *w)
         }
         line->impulse += load;
     }
-}
-
-static void hear_impact(void *listener, const contact *c, real impulse)
-{
-    write(listener, c, impulse);
 }
 
 void hear_impacts(world *w, solver_frame *f)

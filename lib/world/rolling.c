@@ -51,12 +51,10 @@ static real taken_by(const world *w)
 static bool gains_speed(const world *w, const contact *c)
 {
     const rigid_tables *t = &w->rigid;
-    vec3 none = { 0, 0, 0 }, was = t->ahead[c->a].way;
-    vec3 now = motion_at(&t->now[c->a].basis, &t->velocity[c->a], none);
+    vec3 was = t->ahead[c->a].way, now = motion_straight(&t->velocity[c->a]);
     if (c->b >= 0) {
-        const solver_body *b = &t->now[c->b];
         was = vec3_sub(was, t->ahead[c->b].way);
-        now = vec3_sub(now, motion_at(&b->basis, &t->velocity[c->b], none));
+        now = vec3_sub(now, motion_straight(&t->velocity[c->b]));
     }
     return speed_across(now, c->normal)
            > speed_across(was, c->normal) / w->frame + taken_by(w);
@@ -65,11 +63,10 @@ static bool gains_speed(const world *w, const contact *c)
 // The angular impulse, `most` (N m s) or less, that brakes this spin of A beside B.
 static void brake(rigid_tables *t, const contact *c, vec3 spin, real most)
 {
-    static const motion_basis immovable = { .inverse_mass = 0 };
-    const motion_basis *a = &t->now[c->a].basis, *b = &immovable;
+    const motion_basis *a = &t->now[c->a].basis;
+    const motion_basis *b = c->b < 0 ? &MOTION_IMMOVABLE : &t->now[c->b].basis;
     real speed = vec3_length(spin);
     if (!(speed > 0)) return;
-    if (c->b >= 0) b = &t->now[c->b].basis;
     vec3 about = vec3_scale(1 / speed, spin);
     real stops = speed / (motion_answer(0, a, about) + motion_answer(0, b, about));
     vec3 impulse = vec3_scale(real_min(stops, most), about);

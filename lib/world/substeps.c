@@ -48,11 +48,6 @@ static real substeps_for_contacts(const world *w, const island *i, int now)
 // of angular frequency w if h w is at most 2 (Verlet); two joints and the next
 // body make it four times as stiff as one joint alone.
 static const real FOLLOWED = 0.6;           // tuned, rad
-
-static real substeps_for_joints(const world *w, const island *i)
-{
-    return w->options.dt * i->pace / FOLLOWED;
-}
 //<
 
 //> substeps-turns
@@ -130,7 +125,7 @@ int substeps_choose(world *w, const island *i, substep_choice *c)
     int fewest = usual;
     int most = int_max(w->options.most_substeps, usual);
     real stiff = real_min(substeps_for_contacts(w, i, c->now), most);
-    real swing = real_min(substeps_for_joints(w, i), most);
+    real swing = real_min(w->options.dt * i->pace / FOLLOWED, most);
     int need = int_max(usual, (int)real_max(stiff, swing) + 1);
     int n = hold(&w->options, c, i, need);
     if (!takes_all(i)) fewest = (int)(share * (usual - 1)) + 1;

@@ -13,7 +13,7 @@ const real FOUR_SIGN[FOUR][AXES] = {
     { 1, 1, 1 }, { 1, -1, -1 }, { -1, 1, -1 }, { -1, -1, 1 }
 };
 
-static void add_outer(real m[3][3], real s, vec3 a)
+void rigid4_add_outer(real m[3][3], real s, vec3 a)
 {
     const real x[3] = { a.x, a.y, a.z };
     for (int i = 0; i < 3; i++)
@@ -34,15 +34,15 @@ static rigid_solid solid_of(const shape *s)
         real volume = vec3_dot(a, vec3_cross(b, c)) / 6;
         q.volume += volume;
         q.center = vec3_add_scaled(q.center, volume / 4, sum);
-        add_outer(q.spread, volume / 20, sum);
-        add_outer(q.spread, volume / 20, a);
-        add_outer(q.spread, volume / 20, b);
-        add_outer(q.spread, volume / 20, c);
+        rigid4_add_outer(q.spread, volume / 20, sum);
+        rigid4_add_outer(q.spread, volume / 20, a);
+        rigid4_add_outer(q.spread, volume / 20, b);
+        rigid4_add_outer(q.spread, volume / 20, c);
     }
     q.center = vec3_scale(1 / q.volume, q.center);
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) q.spread[i][j] /= q.volume;
-    add_outer(q.spread, -1, q.center);
+    rigid4_add_outer(q.spread, -1, q.center);
     return q;
 }
 //<

@@ -62,6 +62,9 @@ typedef struct {
     real spread[3][3];      // m^2, about the centre
 } rigid_solid;
 
+// m += s a a^T.
+void rigid4_add_outer(real m[3][3], real s, vec3 a);
+
 // Those of s, or of the weight that it has in place of them (its volume is then
 // 1); and its mass (kg).  A mesh that encloses nothing has a volume of 0.
 rigid_solid rigid4_solid(const shape *s);

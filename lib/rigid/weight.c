@@ -150,13 +150,6 @@ static void add_turned(real to[3][3], real mass, real spread[3][3],
                               * axis_part(axis[q], j);
 }
 
-static void add_square(real to[3][3], real mass, vec3 c)
-{
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++)
-            to[i][j] += mass * axis_part(c, i) * axis_part(c, j);
-}
-
 // About the origin of the body, as yet.
 void weight_add(struct weight *sum, const shape *piece, const placement *at)
 {
@@ -166,7 +159,7 @@ void weight_add(struct weight *sum, const shape *piece, const placement *at)
     sum->mass += mass;
     sum->center = vec3_add_scaled(sum->center, mass, c);
     add_turned(sum->spread, mass, q.spread, at);
-    add_square(sum->spread, mass, c);
+    rigid4_add_outer(sum->spread, mass, c);
 }
 
 void weight_mean(struct weight *sum)
@@ -174,7 +167,7 @@ void weight_mean(struct weight *sum)
     sum->center = vec3_scale(1 / sum->mass, sum->center);
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) sum->spread[i][j] /= sum->mass;
-    add_square(sum->spread, -1, sum->center);
+    rigid4_add_outer(sum->spread, -1, sum->center);
 }
 
 void weight_reach(struct weight *whole, const shape *piece, const placement *at)

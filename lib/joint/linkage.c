@@ -1014,12 +1014,13 @@ static real joined_size(const linkage_pass *q, int b)
 // Has it limits?  Does what no pull moves hold it?
 static void find_tree(linkage *l, const linkage_pass *q, int first, int end)
 {
-    bool *is_limited = &l->body[l->step[end - 1].body].is_limited, is_free = true;
+    bool is_limited = false, is_free = true;
     for (int s = first; s < end - 1; s++) {
         const joint *j = &l->joint[l->step[s].joint];
-        *is_limited |= j->is_limited || j->extra > 0;
+        is_limited |= j->is_limited || j->extra > 0;
         is_free &= yields(q->f, j->a) && yields(q->f, j->b);
     }
+    l->body[l->step[end - 1].body].is_limited = is_limited;
     for (int s = first; s < end - 1; s++)
         l->rows[l->step[s].joint].is_free = is_free;
 }
@@ -1028,9 +1029,6 @@ static void find_tree(linkage *l, const linkage_pass *q, int first, int end)
 static void find_sizes(linkage *l, const linkage_pass *q)
 {
     l->is_driven = false;
-    for (int s = 0; s < l->steps; s++)
-        if (l->step[s].joint < 0)
-            l->body[l->step[s].body].is_limited = false;
     for (int k = 0; k < l->count; k++) {
         const joint *j = &l->joint[k];
         joint_rows *r = &l->rows[k];
@@ -1143,8 +1141,6 @@ void linkage_rewind(linkage *l, const linkage_pass *q)
 
 void linkage_prepare(linkage *l, const linkage_pass *q)
 {
-    l->worst = 0;
-    l->parted = 0;
     if (l->count == 0) return;
     l->frames++;
     choose_roles(l, q);

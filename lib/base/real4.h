@@ -176,13 +176,6 @@ static inline void real4_sub3(real4 to[3], const real4 a[3], real4 s)
 {
     for (int i = 0; i < 3; i++) to[i] = real4_sub(to[i], real4_mul(a[i], s));
 }
-
-static inline void real4_set3(real4 to[3], int l, vec3 a)
-{
-    real4_set(&to[0], l, a.x);
-    real4_set(&to[1], l, a.y);
-    real4_set(&to[2], l, a.z);
-}
 //<
 
 //> real4-end

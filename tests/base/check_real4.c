@@ -102,21 +102,10 @@ START_TEST(four_at_once_are_the_bits_of_each_alone_in_every_form)
 }
 END_TEST
 
-START_TEST(three_lanes_take_a_vector)
-{
-    real4 to[3] = { real4_all(9), real4_all(9), real4_all(9) };
-    real4_set3(to, 2, vec3_make(1, 2, 3));
-    for (int i = 0; i < 3; i++)
-        for (int l = 0; l < REAL4; l++)
-            ck_assert(real4_get(&to[i], l) == (l == 2 ? i + 1 : 9));
-}
-END_TEST
-
 int main(void)
 {
     const TTest *const tests[] = {
         four_at_once_are_the_bits_of_each_alone_in_every_form,
-        three_lanes_take_a_vector,
         NULL
     };
     return suite_run((suite){ .name = "real4", .tests = tests });

@@ -4,22 +4,18 @@
 //>   axis: a ball of r / c around it touches the rim at p, and nothing of the cylinder
 //>   is beyond.
 #include "rim.h"
+#include "capsule.h"
 #include "cylinder.h"
 
 #include <math.h>
 
 static void make_core(const shape *s, real round, rim_core *r)
 {
-    r->half[0] = (half_edge){ 0, 1, -1 };
-    r->half[1] = (half_edge){ 1, 0, -1 };
-    r->first[0] = 0;
-    r->first[1] = 1;
     r->core = (shape){ .kind = SHAPE_RIGID, .particles = 2,
                        .round = round, .radius = s->radius };
-    r->core.mesh.vertices = 2;
-    r->core.mesh.edges = 1;
     r->core.mesh.half = r->half;
     r->core.mesh.vertex_half = r->first;
+    capsule_join_core(&r->core.mesh);
 }
 
 bool rim_towards(const shape *s, const vec3 *at, vec3 d, rim_core *r)

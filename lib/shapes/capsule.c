@@ -89,8 +89,9 @@ status size_check(const char *name, real value, const char *unit)
 }
 
 // A core of two particles is an edge with nothing on either side.
-static void join_core(mesh *m)
+void capsule_join_core(mesh *m)
 {
+    m->vertices = 2;
     m->edges = 1;
     m->half[0] = (half_edge){ 0, 1, -1 };
     m->half[1] = (half_edge){ 1, 0, -1 };
@@ -108,7 +109,7 @@ static status make_round(shape *s, real half, real radius, real mass)
     if (r.ok && particles == 2) {
         s->at[0].y = -half;
         s->at[1].y = half;
-        join_core(&s->mesh);
+        capsule_join_core(&s->mesh);
         shape_add_edges(s);
     }
     s->round = radius;

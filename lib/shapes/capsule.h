@@ -21,6 +21,9 @@ status size_check(const char *name, real value, const char *unit);
 // A ball around the origin.
 status shape_sphere(shape *s, real radius, real mass);
 
+// The mesh of a core of two particles: half and vertex_half have room.
+void capsule_join_core(mesh *m);
+
 // All points within radius of a segment of this length, which lies along y
 // with its middle in the origin: a rod whose ends are half balls.
 status shape_capsule(shape *s, real length, real radius, real mass);

@@ -471,9 +471,7 @@ static void begin_with_last(const slider *s, int *of, int n)
         real far = vec3_dot(way, s->c->placed[s->side[of[k]].b].center);
         if (far > most) most = far, best = k;
     }
-    int first = of[best];
-    of[best] = of[0];
-    of[0] = first;
+    SWAP(int, of[0], of[best]);
 }
 
 // Not where a corner lies over no piece: there the floor ends.

@@ -2,6 +2,7 @@
 //>   What was written down in a step is a line for each contact and each impact. They
 //>   are sorted, and those of a pair added. What has not pushed is left out.
 #include "inside.h"
+#include "table.h"
 
 #include <stdlib.h>
 
@@ -19,9 +20,7 @@ static tumble_impulse impulse_of(const tumble_world *w, const heard_impulse *h)
     tumble_impulse x = { inside_owner(w, h->a), inside_owner(w, h->b),
                          to_user(h->point), to_user(h->normal), h->impulse };
     if (x.a.place <= x.b.place) return x;
-    tumble_body a = x.a;
-    x.a = x.b;
-    x.b = a;
+    SWAP(tumble_body, x.a, x.b);
     x.normal = to_user(vec3_scale(-1, h->normal));
     return x;
 }

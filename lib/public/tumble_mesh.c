@@ -201,13 +201,10 @@ static int sort_needed(body_place *x)
     int kept = 1;
     for (int k = 1; k < x->pieces; k++) {
         if (m->of[k].used != m->clearings) continue;
-        body_piece piece = x->piece[k];
-        mesh_piece of = m->of[k];
-        x->piece[k] = x->piece[kept];
-        m->of[k] = m->of[kept];
-        x->piece[kept] = piece;
-        m->of[kept] = of;
-        m->piece[of.triangle] = kept++;
+        SWAP(body_piece, x->piece[k], x->piece[kept]);
+        SWAP(mesh_piece, m->of[k], m->of[kept]);
+        m->piece[m->of[kept].triangle] = kept;
+        kept++;
     }
     for (int k = kept; k < x->pieces; k++) m->piece[m->of[k].triangle] = k;
     return kept;

@@ -70,19 +70,15 @@ tumble_quat inside_quat(vec3 x, vec3 y, vec3 z)
     int most = 3;
     for (int k = 0; k < 3; k++)
         if (four[k] > four[most]) most = k;
-    real root = sqrt(four[most]), s = 0.5 / root;
-    real own = root / 2;
-    if (most == 0)
-        return (tumble_quat){ own, s * (x.y + y.x), s * (z.x + x.z),
-                              s * (y.z - z.y) };
-    if (most == 1)
-        return (tumble_quat){ s * (x.y + y.x), own, s * (y.z + z.y),
-                              s * (z.x - x.z) };
-    if (most == 2)
-        return (tumble_quat){ s * (z.x + x.z), s * (y.z + z.y), own,
-                              s * (x.y - y.x) };
-    return (tumble_quat){ s * (y.z - z.y), s * (z.x - x.z), s * (x.y - y.x),
-                          own };
+    real root = sqrt(four[most]), q[4];
+    const real product[4][4] = {        // of each two, four times
+        { 0, x.y + y.x, z.x + x.z, y.z - z.y },
+        { x.y + y.x, 0, y.z + z.y, z.x - x.z },
+        { z.x + x.z, y.z + z.y, 0, x.y - y.x },
+        { y.z - z.y, z.x - x.z, x.y - y.x, 0 } };
+    for (int k = 0; k < 4; k++)
+        q[k] = k == most ? root / 2 : 0.5 / root * product[most][k];
+    return (tumble_quat){ q[0], q[1], q[2], q[3] };
 }
 
 tumble_quat tumble_quat_from_matrix(const double m[9])

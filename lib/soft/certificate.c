@@ -1103,9 +1103,7 @@ static void report_witnesses(const frame_search *l)
 // What is proved begins the next way.
 static void begin_next(certificate *c)
 {
-    vec3 *ended = c->at[1];
-    c->at[1] = c->at[0];
-    c->at[0] = ended;
+    SWAP(vec3 *, c->at[0], c->at[1]);
     c->since = 0;
 }
 

@@ -6,8 +6,6 @@
 #include "table.h"
 
 #include <limits.h>
-#include <stdarg.h>
-#include <stdio.h>
 #include <stdlib.h>
 
 bool inside_is_ok(tumble_world *w, status s)
@@ -16,16 +14,6 @@ bool inside_is_ok(tumble_world *w, status s)
     if (!w)                   inside_not_made(s);
     else if (w->failure.ok)   w->failure = s;
     return false;
-}
-
-bool inside_fail(tumble_world *w, const char *format, ...)
-{
-    status s = { .ok = false };
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(s.why, sizeof s.why, format, arguments);
-    va_end(arguments);
-    return inside_is_ok(w, s);
 }
 
 bool inside_is_world(tumble_world *w)

@@ -90,15 +90,12 @@ struct tumble_world {
 // Frees all that is in a world, but not the world.
 void inside_free(tumble_world *w);
 
-// Keeps the failure, unless there was one before.  Returns false.
-#if defined(__GNUC__)
-__attribute__((format(printf, 2, 3)))
-#endif
-bool inside_fail(tumble_world *w, const char *format, ...);
+// Keeps a failure, unless there was one before.  Returns s.ok.
+bool inside_is_ok(tumble_world *w, status s);
+// The same of a sentence, as status_fail makes it.
+#define inside_fail(w, ...) inside_is_ok((w), status_fail(__VA_ARGS__))
 // The same for a world that could not be made: NULL has the failure, or none.
 void inside_not_made(status s);
-// The same for a status that is not ok.  Returns s.ok.
-bool inside_is_ok(tumble_world *w, status s);
 // Is there a world?  NULL is none, and NULL has the failure.
 bool inside_is_world(tumble_world *w);
 // Is there a list of n things?  Not, with a failure, if it is NULL and n > 0.

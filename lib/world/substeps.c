@@ -95,29 +95,24 @@ int substeps_again(const world *w, real h, int left)
 // hard as the last.
 static const real FEWER = 0.75;             // tuned, 1
 
-static bool is_joined(const island *i)
+// What is fast and not joined takes in each part of a divided frame as many as are
+// usual in a frame; so does cloth.  Joints ask by how they swing and turn, and what
+// they swing too fast for is done again.
+static bool takes_all(const island *i)
 {
-    return i->hangs && !i->is_soft;
+    return i->is_soft || (i->is_fast && !i->hangs);
 }
 
 static int hold(const world_options *o, substep_choice *c, const island *i,
                 int need)
 {
-    bool stays = i->is_calm || i->is_soft || (i->is_fast && !i->hangs);
-    real patience = stays ? o->time_to_sleep : 0;
+    real patience = i->is_calm || takes_all(i) ? o->time_to_sleep : 0;
     c->frames = need < FEWER * c->now ? c->frames + 1 : 0;
     if (need > c->now || (c->frames - 0.5) * o->dt > patience) c->now = need;
     return c->now;
 }
 
-// A part of a divided frame takes its share of the substeps.  But what is fast
-// takes in each as many as are usual in a frame; not if it is joined: joints ask
-// by how they swing and turn, and what they swing too fast for is done again.
-static bool takes_all(const island *i)
-{
-    return i->is_soft || (i->is_fast && !is_joined(i));
-}
-
+// A part of a divided frame takes its share of the substeps.
 int substeps_choose(world *w, const island *i, substep_choice *c)
 {
     real share = w->frame / w->options.dt;

@@ -114,8 +114,7 @@ static int room_for(near_lists *l, int found, int room)
 static void add_near(near_lists *l, const body *a, const body *b,
                      tree_result found)
 {
-    int pairs = room_for(l, found.pairs, l->leaf_capacity);
-    pairs = room_for(l, pairs, l->pair_capacity - l->pairs);
+    int pairs = room_for(l, found.pairs, l->pair_capacity - l->pairs);
     for (int k = 0; k < pairs; k++)
         l->pair[l->pairs++] = (particle_contact){
             a->first + l->leaf[k].a, b->first + l->leaf[k].b,
@@ -139,11 +138,11 @@ static void list_self(near_lists *l, const soft_frame *f, int b)
     real touching = 2 * a->thickness;
     int found = grid_pairs(&l->grid, at, a->shape->particles,
                            touching + l->margin, a->shape->columns, l->leaf,
-                           l->leaf_capacity);
+                           l->pair_capacity);
     if (found < 0) {
         sphere_tree_refresh(tree, at);
         add_near(l, a, a, sphere_tree_self(tree, at, l->margin, LINKED,
-                                           l->leaf, l->leaf_capacity));
+                                           l->leaf, l->pair_capacity));
     } else {
         add_near(l, a, a, (tree_result){ .pairs = found });
     }
@@ -155,7 +154,7 @@ static void list_soft_pair(near_lists *l, const soft_frame *f, int a, int b)
     if (l->tree[a].leaves == 0 || l->tree[b].leaves == 0) return;
     add_near(l, x, y, sphere_tree_pairs(&l->tree[a], l->at + x->first,
                                         &l->tree[b], l->at + y->first,
-                                        l->margin, l->leaf, l->leaf_capacity));
+                                        l->margin, l->leaf, l->pair_capacity));
 }
 //<
 
@@ -558,7 +557,7 @@ static bool make_list_room(near_lists *l, int soft)
     TABLE_GROW(ok, l->facet.at, l->facet.count, facets);
     TABLE_GROW(ok, l->facets_before.at, l->facets_before.count, facets);
     if (!ok) return false;
-    l->pair_capacity = l->leaf_capacity = pairs;
+    l->pair_capacity = pairs;
     l->point_capacity = points;
     l->facet_capacity = facets;
     return true;

@@ -141,8 +141,7 @@ typedef struct {
     int  candidates;    // they may meet in this frame, by their numbers
     bool *is_near;      // [bodies] is it a candidate, as this frame begins?
     int  bodies, particles;     // for so many there is room
-    struct leaf_pair *leaf;     // room for a traversal of two trees
-    int  leaf_capacity;
+    struct leaf_pair *leaf;     // [pair_capacity] for a traversal of two trees
     grid grid;          // for the largest deformable body
     int  *soft;         // [softs] the deformable bodies, in their order,
     int  softs;

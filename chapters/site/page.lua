@@ -250,6 +250,10 @@ local cell = {
     if power == '0' then return pandoc.Str(factor) end
     return pandoc.Str((factor == '1' and '' or factor .. '·') .. '10' .. ((sign == '-' and sign or '') .. power):gsub('.', raised))
   end,
+  Inlines = function(list)           -- a number keeps its unit
+    if #list ~= 3 or list[2].t ~= 'Space' or list[1].t ~= 'Str' or not list[1].text:match('^%d[%d.e+-]*$') then return nil end
+    return { list[1], pandoc.Str('\u{a0}'), list[3] }
+  end,
   Code = function(code)
     if not code.text:match('^[%w_.]+$') or not FORMAT:match('^html') then return nil end
     return raw('<code>' .. code.text:gsub('[_.]', '%0<wbr>') .. '</code>')

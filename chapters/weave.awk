@@ -59,7 +59,7 @@ function weave_all(n, names, name,    k) {
     for (k = 1; k <= n; k++) print_later(caption_of(names[k]))
     print_later("\n```" (home[names[1]] ~ /\.py$/ ? "python" : "c"))
     for (k = 1; k <= n; k++) {
-        if (k > 1 && text[home[names[k]], from[names[k]] - 1] == "" && text[home[names[k]], from[names[k]] + 1] != "") print_later("")
+        if (k > 1 && (ends_header(names[k]) || text[home[names[k]], from[names[k]] - 1] == "") && text[home[names[k]], from[names[k]] + 1] != "") print_later("")
         print_lines(names[k])
     }
     print_later("```")
@@ -199,7 +199,8 @@ function write_module(module,    i, name, first) {
     print_later("The lines of " module " that no chapter shows, in the order of its " (module == "little" ? "stages" : "files") ".\n")
     if (module == "little") { write_pieces(); return }
     for (i = 1; i <= regions; i++) if (module_of(home[name = region[i]]) == module) {
-        if (!(name in used)) show_in_reference(name)
+        if (ends_header(name) && is_shown_here(region[i - 1], name)) continue
+        if (!(name in used)) show_in_reference(name, ends_header(region[i + 1]) && is_shown_here(name, region[i + 1]) ? region[i + 1] : "")
         else if (!first) first = name
         if (!first || same_place(first, region[i + 1])) continue
         print_later("From [line " from[first] + 1 "](../" home[first] "#L" from[first] + 1 ") of " home[first] " to line " to[name] - 1 ": [chapter " chapter_of(told[first]) "](" told[first] ").\n")
@@ -210,11 +211,16 @@ function write_module(module,    i, name, first) {
 function same_place(a, b) {
     return b in used && home[a] == home[b] && told[a] == told[b]
 }
-function show_in_reference(name) {
-    if (sentence[name] != "") print_later(sentence[name] "\n")
+# The last line of a header needs no sentence, and stands below what it ends.
+function ends_header(name) { return !(name in used) && to[name] == from[name] + 2 && text[home[name], from[name] + 1] == "#endif" }
+function is_shown_here(name, last) { return !(name in used) && home[name] == home[last] }
+function show_in_reference(name, last,    both) {
+    if (ends_header(name)) ;
+    else if (sentence[name] != "") print_later(sentence[name] "\n")
     else if (!(name in comes) && text[home[name], from[name] + 1] !~ /^\/\//)
         fail(home[name], from[name], "region " name " is in no chapter, and has no sentence for the reference")
-    weave(name); print_later("")
+    both[1] = name; both[2] = last
+    weave_all(last == "" ? 1 : 2, both); print_later("")
 }
 function end_of_file() {
     if (open != "") fail(home[open], from[open], "region " open " is never closed")

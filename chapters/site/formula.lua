@@ -33,11 +33,26 @@ local function pieces(tex, is_display)
   return all
 end
 
+-- A sign that combines with the one before it has no width, and none of its own place
+-- over a letter: here stands the one that does.
+local stands_alone = { ['\u{307}'] = '\u{2d9}', ['\u{308}'] = '\u{a8}', ['\u{303}'] = '\u{2dc}' }
+
+-- After these a minus is the sign of what follows, and stands close to it.
+local comes_before_a_sign = {}
+for sign in ('= &lt; &gt; ≤ ≥ ≈ ( [ ,'):gmatch('%S+') do comes_before_a_sign[sign] = true end
+
 -- As in TeX, a bracket grows only after \left, the letter l is no operator, and what
 -- opens a piece stands between two others.  No browser shows TeX.
 local function piece_of(tex, is_first, to_html)
   local html = to_html(tex):gsub('<annotation.-</annotation>', ''):gsub('</?semantics>', '')
   if FORMAT:match('^html') then html = html:gsub(' xmlns="[^"]*"', '') end
+  html = html:gsub('<mover>(.-)<mo accent="true">([^<]*)</mo>', function(under, sign)
+    return '<mover accent="true">' .. under .. '<mo>' .. (stands_alone[sign] or sign) .. '</mo>'
+  end)
+  html = html:gsub('<mo>%+</mo><mo>=</mo>', '<mo>+=</mo>')
+  html = html:gsub('(<mo[^>]*>([^<]*)</mo>)<mo>−</mo>', function(before, sign)
+    return comes_before_a_sign[sign] and before .. '<mo form="prefix">−</mo>'
+  end)
   if not tex:match('\\left') then html = html:gsub('stretchy="true"', 'stretchy="false"') end
   if not is_first then html = html:gsub('<mrow><mo>', '<mrow><mo form="infix">', 1) end
   html = html:gsub('<mo>ℓ</mo>', '<mi>ℓ</mi>')

@@ -188,6 +188,8 @@ end
 local function Inlines(list)
   link_chapters(list)
   for i, inline in ipairs(list) do
+    -- A dot between two names stays on the line of the first.
+    if inline.t == 'Space' and list[i + 1] and list[i + 1].text == '·' then list[i] = pandoc.Str('\u{a0}') end
     if inline.t == 'Code' then list[i] = link_to(place_of_words(inline.text), { inline }) or inline
     elseif inline.t == 'Str' then list[i] = link_str(inline) or inline end
   end
@@ -238,12 +240,31 @@ local function is_column_of_numbers(body, k)
   end
   return any
 end
+-- A number that a program prints with an e is a power of ten.  Where a cell is narrow, a
+-- long name goes on after its underscore or its dot.
+local raised = { ['-'] = '⁻', ['0'] = '⁰', ['1'] = '¹', ['2'] = '²', ['3'] = '³', ['4'] = '⁴', ['5'] = '⁵', ['6'] = '⁶', ['7'] = '⁷', ['8'] = '⁸', ['9'] = '⁹' }
+local cell = {
+  Str = function(str)
+    local factor, sign, power = str.text:match('^(%d[%d.]*)e([+-])0*(%d+)$')
+    if not factor then return nil end
+    if power == '0' then return pandoc.Str(factor) end
+    return pandoc.Str((factor == '1' and '' or factor .. '·') .. '10' .. ((sign == '-' and sign or '') .. power):gsub('.', raised))
+  end,
+  Inlines = function(list)           -- a number keeps its unit
+    if #list ~= 3 or list[2].t ~= 'Space' or list[1].t ~= 'Str' or not list[1].text:match('^%d[%d.e+-]*$') then return nil end
+    return { list[1], pandoc.Str('\u{a0}'), list[3] }
+  end,
+  Code = function(code)
+    if not code.text:match('^[%w_.]+$') or not FORMAT:match('^html') then return nil end
+    return raw('<code>' .. code.text:gsub('[_.]', '%0<wbr>') .. '</code>')
+  end,
+}
 local function tidy(table)
   for k, column in ipairs(table.colspecs) do
     local right = table.bodies[1] and is_column_of_numbers(table.bodies[1].body, k)
     table.colspecs[k] = { right and 'AlignRight' or column[1], nil }
   end
-  return table
+  return pandoc.walk_block(table, cell)
 end
 
 local function hash_of(name)
@@ -330,7 +351,14 @@ local function caption_in(para)
   end
   local text = pandoc.utils.stringify(para.content)
   if text:match('^[%w_/.-]+, lines? %d') or text:match('^[%w_/.-]+%.csv') then
-    return { text = text, html = html_of(para.content) }
+    -- A file is named once.
+    local last
+    local html = html_of(para.content):gsub('>([%w_/.-]+),%s+(lines? )', function(file, lines)
+      local again = file == last
+      last = file
+      return again and '>' .. lines
+    end)
+    return { text = text, html = html }
   end
 end
 
@@ -393,9 +421,25 @@ local function title_of(header)
   return number
 end
 
+-- Quotes as a printer sets them: what opens a word opens, all others close, and so does
+-- an apostrophe.
+local function quotes(list)
+  for i, inline in ipairs(list) do
+    local before = list[i - 1]
+    local opens = not before or before.t == 'Space' or before.t == 'SoftBreak' or before.t == 'Str' and before.text:match('%($')
+    if inline.t == 'Str' then
+      local text = inline.text
+      if opens then text = text:gsub('^(%(?)"', '%1“'):gsub("^(%(?)'", '%1‘') end
+      list[i] = pandoc.Str((text:gsub('"', '”'):gsub("'", '’')))
+    end
+  end
+  return list
+end
+
 local filter = { Link = Link, Inlines = Inlines, Math = Math, Blocks = Blocks }
 local function chapter(blocks, meta)
   if whole then page = names.page[pandoc.utils.stringify(blocks[1].content)] end
+  blocks = pandoc.walk_block(pandoc.Div(blocks), { Inlines = quotes }).content
   taken = anchor(blocks, whole and (page:match('^%d%d%l?%-') or page .. '-') or '', page)
   if whole then blocks[1].identifier = page end
   if not meta.home and not meta.write then

@@ -80,7 +80,7 @@ swept_result swept_turning(hull a, const swept_motion *of_a, hull b,
 //<
 
 //> swept-inner-declare
-//>   The header ends.
+//>   A pair that goes further than this in a frame is fast-moving.
 // The radius (m) of the largest sphere about the origin of a rigid shape that
 // lies inside it; 0 for a shape that has no inside.
 real shape_inner(const shape *s);

@@ -7,7 +7,7 @@
 import { readFileSync, readdirSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
 import { resolve } from 'node:path';
-import { launch, together, unpainted } from './browser.mjs';
+import { attempt, chosen, launch, together, unpainted } from './browser.mjs';
 import { bench } from './bench.mjs';
 
 const FRAMES = 30;              // of each corner: half a second
@@ -108,17 +108,17 @@ async function checkWalk(figure, file, name, { dials, buttons, panes }) {
 
 console.log(`dials: the seed is ${seed}`);
 const all = readdirSync(site).filter(file => file.endsWith('.html')).flatMap(page =>
-  [...readFileSync(`${site}/${page}`, 'utf8').matchAll(/data-live="(\w+)"/g)].map(found => ({ file: `${site}/${page}`, name: found[1] })))
-  .filter(({ name }) => !wanted.length || wanted.includes(name));
-await together(TOGETHER, all, async ({ file, name }) => {
+  [...readFileSync(`${site}/${page}`, 'utf8').matchAll(/data-live="(\w+)"/g)].map(found => ({ file: `${site}/${page}`, name: found[1] })));
+const asked = chosen(wanted, all.map(({ name }) => name), 'live figure');
+await together(TOGETHER, all.filter(({ name }) => asked.includes(name)), ({ file, name }) => attempt(name, fault, async () => {
   let figure = await open(file, name);
   const panel = await figure.evaluate(node => node.live.panel);
   figure = await checkCorners(figure, file, name, panel);
   figure = await checkWalk(figure, file, name, panel);
   await figure.page().close();
   sum.figures++;
-});
-await browser.close();
+}));
+await attempt('the browser', fault, () => browser.close());
 console.log(`dials: ${sum.figures} figures, ${sum.corners} corners, ${sum.turns} turns at random, ${sum.faults} faults`);
 console.log(`dials: the longest was ${longest.told}`);
 process.exit(sum.faults || !sum.figures ? 1 : 0);

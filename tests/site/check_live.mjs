@@ -2,22 +2,27 @@
 // move the charts, only what is seen runs, unwanted motion stands still, a picture
 // stands where scripts are off; and a module of the reader's own runs in the page,
 // or the page says what is wrong with it:   node check_live.mjs BUILD [PAGE...]
-// With pages, only what can be said of any page is looked at on these.
+// With pages, such as 01 or 01-verlet, only what can be said of any page is looked at
+// on these.
 
 import { execFileSync } from 'node:child_process';
 import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
 import { resolve } from 'node:path';
-import { launch, together, unpainted } from './browser.mjs';
+import { attempt, chosen, launch, together, unpainted } from './browser.mjs';
 
 const build = resolve(process.argv[2]), some = process.argv.slice(3);
-// A machine that does other things as well may need a minute; nothing is judged by it.
-const WAIT = { timeout: 120e3 }, TOGETHER = 3;      // pages, at a time
+// A machine that does other things as well may need minutes; nothing is judged by it.
+const WAIT = { timeout: 300e3 }, TOGETHER = 3;      // pages, at a time
 
 let checks = 0, faults = 0;
 function check(holds, sentence) {
   checks++;
-  if (!holds) { faults++; console.log(`not so: ${sentence}`); }
+  if (!holds) fault(`not so: ${sentence}`);
+}
+function fault(sentence) {
+  faults++;
+  console.log(sentence);
 }
 
 const browser = await launch(build);
@@ -30,6 +35,7 @@ async function open(file, options = {}) {
   page.errors = [];
   page.on('console', said => said.type() === 'error' && page.errors.push(said.text()));
   page.on('pageerror', error => page.errors.push(error.message));
+  page.on('crash', () => { page.crashed = true; });
   await page.goto(pathToFileURL(file).href);
   return page;
 }
@@ -41,21 +47,27 @@ const frames = figure => figure.evaluate(node => node.live.frames);
 async function checkPage(file, names) {
   const page = await open(file, { reducedMotion: 'reduce' });
   for (const name of names) {
-    const figure = page.locator(`[data-live="${name}"]`);
-    await figure.evaluate(node => node.scrollIntoView({ block: 'center' }));
-    await settled(page, name);
-    const { hash, wants, running } = await figure.evaluate(node => ({ ...node.dataset }));
-    check(hash === wants, `${name} has the native hash ${wants}, not ${hash}`);
-    check(running === '0' && await frames(figure) === 60, `${name} stands at frame 60 where motion is unwanted`);
-    await checkCode(figure, name);
-    await checkDials(page, figure, name);
-    await checkChoices(figure, name);
-    await checkAgain(figure, name);
-    await checkBack(figure, name);
-    check(await figure.evaluate(painted), `${name} is painted: more than the ground is seen`);
+    if (page.crashed) fault(`${name} was not looked at, since its page crashed`);
+    else await attempt(`${file.replace(/.*\//, '')}, ${name}`, fault, () => checkFigure(page, name));
   }
-  check(page.errors.length === 0, `${file} has no error in its console: ${page.errors[0]}`);
+  check(page.errors.length === 0, `${file.replace(/.*\//, '')} has no error in its console: ${page.errors[0]}`);
   await page.close();
+}
+
+async function checkFigure(page, name) {
+  const figure = page.locator(`[data-live="${name}"]`);
+  await figure.evaluate(node => node.scrollIntoView({ block: 'center' }));
+  await settled(page, name);
+  const { hash, wants, running, trapped, failed } = await figure.evaluate(node => ({ ...node.dataset }));
+  check(hash === wants, `${name} has the native hash ${wants}, not ${hash ?? trapped ?? failed}`);
+  if (trapped || failed) return;
+  check(running === '0' && await frames(figure) === 60, `${name} stands at frame 60 where motion is unwanted`);
+  await checkCode(figure, name);
+  await checkDials(page, figure, name);
+  await checkChoices(figure, name);
+  await checkAgain(figure, name);
+  await checkBack(figure, name);
+  check(await figure.evaluate(painted), `${name} is painted: more than the ground is seen`);
 }
 
 // What is drawn in space, painted once: it has more colours than its floor and horizon.
@@ -312,6 +324,8 @@ async function checkTouch(file) {
   await figure.evaluate(node => node.scrollIntoView({ block: 'center' }));
   await settled(page, 'cube');
   const stick = await find(figure, 0, 100);         // from 100 on: corners
+  check(stick, 'a stick of the cube is seen, and not covered');
+  if (!stick) return page.close();
   await page.mouse.click(stick.x, stick.y);
   check(/^21 sticks/.test(await figure.locator('.live-said').textContent()), 'a stick of the cube that is touched is taken away');
   await page.close();
@@ -340,6 +354,8 @@ async function checkPins(file) {
   await figure.getByRole('button', { name: 'Pin two corners' }).press('Enter');
   for (const left of [1, 0]) {
     const pin = await find(figure, 2, 100);
+    check(pin, `a pin of the cloth is seen, and not covered: ${left + 1} are left`);
+    if (!pin) break;
     await page.mouse.click(pin.x, pin.y);
     check((await find(figure, 2, 100) === null) === (left === 0), `a touch cuts a pin of the cloth: ${left} left`);
   }
@@ -391,28 +407,29 @@ function checkStill(file, names) {
   for (const name of names) check(RegExp(`<figure [^>]*data-live="${name}"[^>]*>\\s*<img [^>]*src="figures/live/${name}[.]webp"`).test(html), `${name} is a picture where scripts are off`);
 }
 
-const site = `${build}/site`, of = {};
+const site = `${build}/site`, of = {};            // the figures of each page
 for (const file of readdirSync(site).filter(file => file.endsWith('.html'))) {
   const names = [...readFileSync(`${site}/${file}`, 'utf8').matchAll(/data-live="(\w+)"/g)].map(found => found[1]);
-  if (names.length) of[file] = names;
+  if (names.length) of[file.replace('.html', '')] = names;
 }
-await together(TOGETHER, Object.entries(of).filter(([file]) => !some.length || some.includes(file)), async ([file, names]) => {
-  await checkPage(`${site}/${file}`, names);
-  checkStill(`${site}/${file}`, names);
+const pages = chosen(some, Object.keys(of), 'page with live figures'), path = name => `${site}/${name}.html`;
+await together(TOGETHER, pages, async name => {
+  await attempt(name, fault, () => checkPage(path(name), of[name]));
+  checkStill(path(name), of[name]);
 });
 if (!some.length) await together(TOGETHER, [
-  () => checkMotion(`${site}/01-verlet.html`, 'orbit'),
-  () => checkUnseen(`${site}/09-system.html`, of['09-system.html']),
-  () => checkPins(`${site}/09-system.html`),
-  () => checkRelease(`${site}/00-start.html`),
-  () => checkTouch(`${site}/03-body.html`),
-  () => checkDrag(`${site}/01-verlet.html`),
-  () => checkAddress(`${site}/18-world.html`, 'energy', [2, 0.8]),
-  () => checkAddress(`${site}/19-library.html`, 'sandbox', [2, 4]),
-  () => checkSandbox(`${site}/19-library.html`),
-  () => checkFilm(`${site}/19-library.html`, 'sandbox'),
-  () => checkRace(`${site}/21-speed.html`),
-], one => one());
+  [checkMotion, '01-verlet', 'orbit'],
+  [checkUnseen, '09-system', of['09-system']],
+  [checkPins, '09-system'],
+  [checkRelease, '00-start'],
+  [checkTouch, '03-body'],
+  [checkDrag, '01-verlet'],
+  [checkAddress, '18-world', 'energy', [2, 0.8]],
+  [checkAddress, '19-library', 'sandbox', [2, 4]],
+  [checkSandbox, '19-library'],
+  [checkFilm, '19-library', 'sandbox'],
+  [checkRace, '21-speed'],
+], ([act, name, ...rest]) => attempt(`${name}, ${act.name}`, fault, () => act(path(name), ...rest)));
 
 // --- Modules of the reader's own ------------------------------------------------
 const awk = (...rest) => execFileSync('awk', [...rest], { encoding: 'utf8' });
@@ -460,13 +477,15 @@ async function checkRenewal(source) {
 const told = word => [...readFileSync('tests/site/mine.edits', 'utf8').matchAll(RegExp(`^${word} +(.*)$`, 'gm'))].map(found => found[1]);
 const verlet = 'lib/particles/verlet.c';
 if (!some.length) {
-  await checkMine('a right module', readFileSync(verlet, 'utf8'), 'to the last bit');
+  const mine = (what, ...rest) => attempt(`01-verlet with ${what}`, fault, () => checkMine(what, ...rest));
+  await mine('a right module', readFileSync(verlet, 'utf8'), 'to the last bit');
   const says = told('test');
   for (const [k, what] of told('wrong').entries())
-    await checkMine(what, awk('-v', `want=${k + 1}`, ...edits, verlet), says[k]);
-  await checkRenewal(readFileSync(verlet, 'utf8').replace('    vec3 here', '    static int calls;\n    assert(calls++ < 60);\n    vec3 here'));
+    await mine(what, awk('-v', `want=${k + 1}`, ...edits, verlet), says[k]);
+  await attempt('01-verlet with a module that counts', fault, () =>
+    checkRenewal(readFileSync(verlet, 'utf8').replace('    vec3 here', '    static int calls;\n    assert(calls++ < 60);\n    vec3 here')));
 }
 
-await browser.close();
-console.log(`live figures: ${checks} checks, ${faults} faults, ${Object.values(of).flat().length} figures on ${Object.keys(of).length} pages`);
+await attempt('the browser', fault, () => browser.close());
+console.log(`live figures: ${checks} checks, ${faults} faults, ${pages.flatMap(name => of[name]).length} figures on ${pages.length} pages`);
 process.exit(faults ? 1 : 0);

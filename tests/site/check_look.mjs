@@ -7,7 +7,7 @@
 import { readFileSync, readdirSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
 import { resolve } from 'node:path';
-import { launch, together, unpainted } from './browser.mjs';
+import { attempt, launch, together, unpainted } from './browser.mjs';
 
 const build = resolve(process.argv[2]), site = `${build}/site`;
 const WIDE = { width: 1300, height: 900 }, PHONE = { width: 390, height: 844 };
@@ -15,12 +15,16 @@ const SCREENS = 2;              // within so many stands the first live figure
 const FIGURES = 3;              // of a chapter, at least
 const FINGER = 44;              // px, each way
 const LAST = 21;                // chapters after it are lists and appendices
-const WAIT = { timeout: 120e3 }, TOGETHER = 3;      // pages, at a time
+const WAIT = { timeout: 300e3 }, TOGETHER = 3;      // pages, at a time
 
 let checks = 0, faults = 0;
 function check(holds, sentence) {
   checks++;
-  if (!holds) { faults++; console.log(`not so: ${sentence}`); }
+  if (!holds) fault(`not so: ${sentence}`);
+}
+function fault(sentence) {
+  faults++;
+  console.log(sentence);
 }
 
 const browser = await launch(build);
@@ -53,24 +57,25 @@ for (const name of names) {
 // Small figures.  One that is turned from the start has no hash of its own.
 const settled = node => node.elementHandle().then(handle => node.page().waitForFunction(({ dataset }) => dataset.ready && (dataset.hash || dataset.set) || dataset.trapped || dataset.failed, handle, WAIT));
 async function checkSmall(page, name) {
-  for (const figure of await page.locator('[data-small]').all()) {
-    await figure.evaluate(node => node.scrollIntoView({ block: 'center' }));
-    await settled(figure);
-    const { hash, wants, small, set, trapped, failed } = await figure.evaluate(node => ({ ...node.dataset }));
-    check(!trapped && !failed, `${name}: ${small} moves: ${trapped ?? failed}`);
-    check(set || hash === wants, `${name}: ${small} has the native hash ${wants}, not ${hash}`);
-    check(await figure.locator('.live-dial, .live-choice').count() <= 1, `${name}: ${small} has one dial at most`);
-    const stands = await figure.evaluate(({ dataset, live }) => dataset.set?.split(' ').every(one => {
-      const [dial, value] = one.split(':').map(Number), plan = live.panel.dials[dial];
-      return plan && live.turned[dial] === value && (plan.choices ? value < plan.choices.split('|').length : value >= plan.least && value <= plan.most);
-    }) ?? true);
-    check(stands, `${name}: ${small} is turned to ${set} from the start`);
-  }
+  for (const figure of await page.locator('[data-small]').all()) await attempt(name, fault, () => checkOne(figure, name));
+}
+async function checkOne(figure, name) {
+  await figure.evaluate(node => node.scrollIntoView({ block: 'center' }));
+  await settled(figure);
+  const { hash, wants, small, set, trapped, failed } = await figure.evaluate(node => ({ ...node.dataset }));
+  check(!trapped && !failed, `${name}: ${small} moves: ${trapped ?? failed}`);
+  check(set || hash === wants, `${name}: ${small} has the native hash ${wants}, not ${hash}`);
+  check(await figure.locator('.live-dial, .live-choice').count() <= 1, `${name}: ${small} has one dial at most`);
+  const stands = await figure.evaluate(({ dataset, live }) => dataset.set?.split(' ').every(one => {
+    const [dial, value] = one.split(':').map(Number), plan = live.panel.dials[dial];
+    return plan && live.turned[dial] === value && (plan.choices ? value < plan.choices.split('|').length : value >= plan.least && value <= plan.most);
+  }) ?? true);
+  check(stands, `${name}: ${small} is turned to ${set} from the start`);
 }
 
 // --- Chapters -----------------------------------------------------------------------
 // From the top of the page to the top of the first figure, in screens.
-await together(TOGETHER, chapters, async name => {
+async function checkChapter(name) {
   const page = await open(name, { viewport: WIDE, reducedMotion: 'reduce' });
   const at = await page.evaluate(() => {
     const first = document.querySelector('[data-live], [data-small], [data-race]');
@@ -93,10 +98,11 @@ await together(TOGETHER, chapters, async name => {
   await checkSmall(page, name);
   check(page.errors.length === 0, `${name} has no error in its console: ${page.errors[0]}`);
   await page.close();
-});
+}
+await together(TOGETHER, chapters, name => attempt(name, fault, () => checkChapter(name)));
 
 // What a finger touches; and the last dial of each figure turns beside its stage.
-await together(TOGETHER, chapters, async name => {
+async function checkFinger(name) {
   const page = await open(name, { viewport: PHONE, hasTouch: true, reducedMotion: 'reduce' });
   const small = await page.evaluate(least => [...document.querySelectorAll('.live-figure :is(button, input[type=range], .live-choice span)')]
     .filter(node => node.checkVisibility()).map(node => ({ node, box: node.getBoundingClientRect() })).filter(({ box }) => box.height < least)
@@ -119,10 +125,11 @@ await together(TOGETHER, chapters, async name => {
   }).map(input => input.closest('figure').id));
   check(!behind.length, `${name}: a dial that is come to from below is not behind its stage: ${behind}`);
   await page.close();
-});
+}
+await together(TOGETHER, chapters, name => attempt(`${name}, on a phone`, fault, () => checkFinger(name)));
 
 // --- The first page -------------------------------------------------------------------
-{
+await attempt('index.html', fault, async () => {
   const still = await open('index.html', { viewport: WIDE, reducedMotion: 'reduce' });
   await checkSmall(still, 'index.html');
   await still.close();
@@ -146,6 +153,7 @@ await together(TOGETHER, chapters, async name => {
     return null;
   });
   check(spot, 'there is something to take hold of');
+  if (!spot) return page.close();
   const untouched = await hash();
   await page.mouse.move(spot.x, spot.y);
   await page.mouse.down();
@@ -155,9 +163,9 @@ await together(TOGETHER, chapters, async name => {
   check(await hash() !== untouched, 'and it follows the hand');
   check(page.errors.length === 0, `the first page has no error in its console: ${page.errors[0]}`);
   await page.close();
-}
+});
 
-await browser.close();
+await attempt('the browser', fault, () => browser.close());
 console.log(`look: ${figures} figures in ${chapters.length} chapters`);
 console.log(`look: ${checks} checks, ${faults} faults`);
 process.exit(faults ? 1 : 0);

@@ -5,25 +5,30 @@
 // WRONGS: so many wrong answers of each, from the first to the last (0: all).
 
 import { execFile, execFileSync } from 'node:child_process';
-import { copyFileSync, existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { promisify } from 'node:util';
-import { launch, together } from './browser.mjs';
+import { attempt, awaitedLater, chosen, launch, together } from './browser.mjs';
 import { serve } from './server.mjs';
 
 const build = resolve(process.argv[2]), most = +(process.argv[3] ?? 2);
-const ids = process.argv.length > 4 ? process.argv.slice(4)
-  : ['01-step', '02-stick', '03-rank', '04-nearest', '05-features', '06-ball', '07-separate', '08-lists', '09-scene', 'reader', 'phone', 'keys', 'little'];
+const usual = ['01-step', '02-stick', '03-rank', '04-nearest', '05-features', '06-ball', '07-separate', '08-lists', '09-scene', 'reader', 'phone', 'keys', 'little'];
 const site = `${build}/site`, WAIT = { timeout: 300e3 };
 const TOGETHER = 2;             // exercises, at a time
 const TRIES = 3;                // so often a busy machine may be late
 if (!existsSync(`${site}/write-01-step.html`)) { console.log('workshop: the site was made without it'); process.exit(0); }
+const asked = process.argv.slice(4), written = readdirSync(site).flatMap(file => file.match(/^write-(.*)\.html$/)?.[1] ?? []);
+const ids = asked.length ? chosen(asked, [...new Set([...usual, ...written])], 'exercise') : usual;
 
 let checks = 0, faults = 0;
 function check(holds, sentence) {
   checks++;
-  if (!holds) { faults++; console.log(`not so: ${sentence}`); }
+  if (!holds) fault(`not so: ${sentence}`);
+}
+function fault(sentence) {
+  faults++;
+  console.log(sentence);
 }
 const awk = (...rest) => execFileSync('awk', rest, { encoding: 'utf8' });
 
@@ -111,7 +116,7 @@ async function checkGhost(page, right) {
 }
 
 async function checkExercise(id, address) {
-  const { right, wrong } = answersTo(id), told = deskOf(id, wrong);
+  const { right, wrong } = answersTo(id), told = awaitedLater(deskOf(id, wrong));
   const page = await open(address);
   check(!page.asked.some(url => /clang-\d/.test(url)), `${id}: the compiler is not fetched before it is asked for`);
   await put(page, right);
@@ -315,14 +320,14 @@ async function checkLittle(stages) {
   await page.context().close();
 }
 
-await together(TOGETHER, ids, async (id, k) => {
+await together(TOGETHER, ids, (id, k) => attempt(id, fault, async () => {
   if (id === 'reader') await checkReader();
   else if (id === 'phone') await checkPhone();
   else if (id === 'keys') await checkKeys(['01-step', '02-stick', '03-rank', '06-ball', '07-separate']);
   else if (id === 'little') await checkLittle(['00a', '02c', '05c', '07c', '13e', '16c']);
   else await checkExercise(id, k % 2 ? `${host.address}write-${id}.html` : disk(id));
-});
-await browser.close();
+}));
+await attempt('the browser', fault, () => browser.close());
 host.end();
 console.log(`workshop: ${checks} checks, ${faults} faults`);
 process.exit(faults ? 1 : 0);

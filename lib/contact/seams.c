@@ -168,10 +168,6 @@ static bool is_behind(const slider *s, const side *b, const side *c)
         && juts_out(s, c->b, b->n, b->height + flush);
 }
 
-// So far (times flush) from its rim a side is looked at: beside a crease, where two
-// sides meet, a point of touch is one of both.
-static const real INWARDS = 3;
-
 // From p so far (m) towards the middle of a face, and no further.
 static vec3 inwards(const collider *x, int face, vec3 p, real far)
 {
@@ -183,8 +179,11 @@ static vec3 inwards(const collider *x, int face, vec3 p, real far)
                         : vec3_add(p, way);
 }
 
-// Rule 2.  All points in which A touches B lie in C, or on it, as the side of B does
-// there, and C stands out further: there is no such side.
+// Rule 2.  All points in which A touches B lie in C, or on it, and so does the side of
+// B there; and C stands out further: there is no such side.  (Beside the crease of a
+// valley a point of one side lies on the other as well.  The middle of a triangle is
+// seen from its corner at 30 degrees from its sides: four times flush inwards it is
+// twice flush from both.)
 static bool is_covered(const slider *s, const side *b, int c)
 {
     real flush = flush_of(s, b->b), most;
@@ -195,7 +194,7 @@ static bool is_covered(const slider *s, const side *b, int c)
     for (int k = 0; k < b->points; k++) {
         vec3 p = b->at[k];
         if (!holds_point(s, c, p, flush)) return false;
-        if (face >= 0) p = inwards(&x, face, p, INWARDS * flush);
+        if (face >= 0) p = inwards(&x, face, p, 4 * flush);
         if (!holds_point(s, c, p, flush)) return false;
     }
     return b->points > 0;
@@ -383,13 +382,20 @@ static void drop(side *x)
     x->pair->is_active = false;
 }
 
+// What overlaps by more than what bears may give way is parted where it is met: no
+// other contact has kept it out.
+static bool is_deep_in(const slider *s, const side *x)
+{
+    return apart_along(s, x->b, x->n) < -flush_of(s, x->b);
+}
+
 static void correct_side(const slider *s, side *x)
 {
     vec3 n;
     if (find_holder(s, x, &n)) {
         if (!aim(s, x, n)) drop(x);
     } else if (x->is_covered) {
-        if (!aim_at_face(s, x)) drop(x);
+        if (!aim_at_face(s, x) && !is_deep_in(s, x)) drop(x);
     }
     x->pair->count = (signed char)x->contact->count;
 }

@@ -304,6 +304,40 @@ START_TEST(a_pile_on_a_wavy_ground_falls_asleep_and_none_falls_through)
 }
 END_TEST
 
+// Cells of 2 m, and heights up to 2 m that have nothing to do with each other.
+static double rough(double x, double z)
+{
+    return 2 * fabs(sin(12.9898 * x + 78.233 * z));
+}
+
+// The point of a cone comes to stand in the crease of a valley, where two sides meet,
+// and is met by both.
+// Rejects: of two sides that hide each other there, both left out.
+START_TEST(what_is_pointed_stays_out_of_the_creases_of_a_rough_ground)
+{
+    unsigned long long r = 11;
+    for (int as = 0; as < 2; as++) {
+        tumble_world *w = empty();
+        lay(w, (form)as, rough, 17, 32, 0);
+        tumble_shape cone = tumble_shape_cone(w, 1, 0.4, 50);
+        double deepest = 0;
+        for (int k = 0; k < 24; k++) {
+            tumble_body_options o = tumble_body_at(3 * (k % 5) - 6.3, 4,
+                                                   3 * (k / 5) - 6.1);
+            tumble_vec3 axis = { random_real(&r), random_real(&r), random_real(&r) };
+            o.pose.rotation = tumble_quat_turn(axis, 3 * random_real(&r));
+            tumble_body_add(w, cone, o);
+        }
+        for (int k = 0; k < 400; k++) {
+            go(w, 1);
+            deepest = fmax(deepest, tumble_world_measure(w).penetration);
+        }
+        ck_assert_msg(deepest < 0.02, "%g m deep", deepest);
+        tumble_world_free(w);
+    }
+}
+END_TEST
+
 // Rejects: a piece that comes for one body, and wakes another.
 START_TEST(what_rolls_by_wakes_no_sleeper)
 {
@@ -964,6 +998,7 @@ int main(void)
         a_box_slides_over_a_floor_of_cells_as_friction_says,
         a_box_slides_over_cells_that_are_much_smaller_than_it,
         a_pile_on_a_wavy_ground_falls_asleep_and_none_falls_through,
+        what_is_pointed_stays_out_of_the_creases_of_a_rough_ground,
         what_rolls_by_wakes_no_sleeper,
         a_cloth_lies_on_a_wavy_ground,
         a_bullet_of_three_hundred_metres_a_second_stops,

@@ -377,6 +377,26 @@ START_TEST(a_cloth_lies_on_a_wavy_ground)
 }
 END_TEST
 
+// The vertices of the cloth stand .4 m apart, and each is near dozens of triangles.
+// Rejects: a list with room for four of them, which drops what is more.
+START_TEST(a_coarse_cloth_lies_on_a_ground_of_small_triangles)
+{
+    tumble_world *w = empty();
+    tumble_vec3 at[100];
+    lay(w, HEIGHTS, wavy, 101, 10, 0);
+    tumble_body b = tumble_body_add(w, tumble_shape_cloth(w, 10, 10, 3.6, 3.6, 1),
+                                    tumble_body_at(0.3, 1, 0.2));
+    for (int k = 0; k < 120; k++) {
+        go(w, 1);
+        ck_assert_int_eq(tumble_world_last_step(w).dropped, 0);
+    }
+    tumble_body_vertices(w, b, at, 100);
+    for (int i = 0; i < 100; i++)
+        ck_assert_msg(at[i].y > wavy(at[i].x, at[i].z), "vertex %d", i);
+    tumble_world_free(w);
+}
+END_TEST
+
 // --- what is fast, and what is below -------------------------------------------
 
 static tumble_body shoot(tumble_world *w, unsigned long long *r, int k,
@@ -1001,6 +1021,7 @@ int main(void)
         what_is_pointed_stays_out_of_the_creases_of_a_rough_ground,
         what_rolls_by_wakes_no_sleeper,
         a_cloth_lies_on_a_wavy_ground,
+        a_coarse_cloth_lies_on_a_ground_of_small_triangles,
         a_bullet_of_three_hundred_metres_a_second_stops,
         what_is_shot_into_a_groove_stays_in_it,
         what_is_thrown_down_bounces,

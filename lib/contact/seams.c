@@ -43,6 +43,22 @@ static vec3 normal_to(const slider *s, const contact *t)
     return t->piece_a == s->a ? t->normal : vec3_scale(-1, t->normal);
 }
 
+// The face of the body that looks most along n; -1: it has none.  *most: the square
+// of the cosine.
+static int face_towards(const collider *x, vec3 n, real *most)
+{
+    int best = -1;
+    *most = 0;
+    for (int k = 0; k < x->shape->mesh.faces; k++) {
+        vec3 m = face_area(x->shape, x->at, k);
+        real along = vec3_dot(m, n), square = vec3_dot(m, m);
+        if (!(along > 0 && along * along > *most * square)) continue;
+        *most = along * along / square;
+        best = k;
+    }
+    return best;
+}
+
 // Its contact seen from A.  (A guard is no point of touch.)
 static void find_side_points(const slider *s, side *x)
 {
@@ -152,15 +168,35 @@ static bool is_behind(const slider *s, const side *b, const side *c)
         && juts_out(s, c->b, b->n, b->height + flush);
 }
 
-// Rule 2.  All points in which A touches B lie in C, or on it, and C stands out
-// further: there is no side of B there.
+// From p so far (m) towards the middle of a face, and no further.
+static vec3 inwards(const collider *x, int face, vec3 p, real far)
+{
+    const int *v = &x->shape->face[3 * face];
+    vec3 sum = vec3_add(vec3_add(x->at[v[0]], x->at[v[1]]), x->at[v[2]]);
+    vec3 way = vec3_sub(vec3_scale(1.0 / 3, sum), p);
+    real length = vec3_length(way);
+    return length > far ? vec3_add_scaled(p, far / length, way)
+                        : vec3_add(p, way);
+}
+
+// Rule 2.  All points in which A touches B lie in C, or on it, and so does the side of
+// B there; and C stands out further: there is no such side.  (Beside the crease of a
+// valley a point of one side lies on the other as well.  The middle of a triangle is
+// seen from its corner at 30 degrees from its sides: four times flush inwards it is
+// twice flush from both.)
 static bool is_covered(const slider *s, const side *b, int c)
 {
-    real flush = flush_of(s, b->b);
+    real flush = flush_of(s, b->b), most;
     if (!stay_together(s, b->b, c)) return false;
     if (!juts_out(s, c, b->n, b->height + flush)) return false;
-    for (int k = 0; k < b->points; k++)
-        if (!holds_point(s, c, b->at[k], flush)) return false;
+    collider x = cache_collider(s->c, s->f, b->b);
+    int face = face_towards(&x, b->n, &most);
+    for (int k = 0; k < b->points; k++) {
+        vec3 p = b->at[k];
+        if (!holds_point(s, c, p, flush)) return false;
+        if (face >= 0) p = inwards(&x, face, p, 4 * flush);
+        if (!holds_point(s, c, p, flush)) return false;
+    }
     return b->points > 0;
 }
 
@@ -302,7 +338,7 @@ static real apart_along(const slider *s, int b, vec3 m)
 //> seams-face
 //>   Which face of B, if the one that was met is covered? The one that A is
 //>   furthest outside of.
-static real best_face(const slider *s, const side *x, vec3 *best)
+static bool best_face(const slider *s, const side *x, vec3 *best)
 {
     collider b = cache_collider(s->c, s->f, x->b);
     real most = -HUGE_VAL;
@@ -312,14 +348,13 @@ static real best_face(const slider *s, const side *x, vec3 *best)
         real apart = apart_along(s, x->b, m);
         if (apart > most) most = apart, *best = m;
     }
-    return most;
+    return most > -HUGE_VAL;
 }
 
 static bool aim_at_face(const slider *s, side *x)
 {
     vec3 m;
-    return best_face(s, x, &m) > -CONTACT_DEEP * s->f->now[s->a].radius
-        && aim(s, x, m) && !is_covered_by_any(s, x);
+    return best_face(s, x, &m) && aim(s, x, m) && !is_covered_by_any(s, x);
 }
 //<
 
@@ -346,13 +381,20 @@ static void drop(side *x)
     x->pair->is_active = false;
 }
 
+// What overlaps by more than what bears may give way is parted where it is met: no
+// other contact has kept it out.
+static bool is_deep_in(const slider *s, const side *x)
+{
+    return apart_along(s, x->b, x->n) < -flush_of(s, x->b);
+}
+
 static void correct_side(const slider *s, side *x)
 {
     vec3 n;
     if (find_holder(s, x, &n)) {
         if (!aim(s, x, n)) drop(x);
     } else if (x->is_covered) {
-        if (!aim_at_face(s, x)) drop(x);
+        if (!aim_at_face(s, x) && !is_deep_in(s, x)) drop(x);
     }
     x->pair->count = (signed char)x->contact->count;
 }
@@ -550,16 +592,9 @@ static void straighten(const slider *s, side *x)
 {
     collider b = cache_collider(s->c, s->f, x->b);
     contact *t = x->contact;
-    real most = 0;                  // the cosine, squared
-    int best = -1;
+    real most;
     if (b.shape->round > 0 || turns_of(s, x->b) > stays_within(s)) return;
-    for (int k = 0; k < b.shape->mesh.faces; k++) {
-        vec3 m = face_area(b.shape, b.at, k);
-        real along = vec3_dot(m, x->n), square = vec3_dot(m, m);
-        if (!(along > 0 && along * along > most * square)) continue;
-        most = along * along / square;
-        best = k;
-    }
+    int best = face_towards(&b, x->n, &most);
     if (best < 0) return;
     vec3 m = vec3_unit(face_area(b.shape, b.at, best));
     if (lay_cylinder(s, x, best, m)) return;

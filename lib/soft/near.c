@@ -271,6 +271,21 @@ static bool may_touch_soft(const near_lists *l, const rigid_view *v,
     return true;
 }
 
+// Room for one facet more, in this list and the next.
+static bool grow_facets(near_lists *l)
+{
+    int room = table_room(l->facet.count + 1, l->facet_capacity);
+    facet_list *was = &l->facets_before;
+    bool ok = true;
+    if (room == l->facet_capacity) return true;
+    TABLE_GROW(ok, l->met, l->mets, room);
+    TABLE_GROW(ok, was->at, was->count, room);
+    TABLE_GROW(ok, l->facet.at, l->facet.count, room);
+    if (ok) l->facet_capacity = room;
+    else    l->dropped++;
+    return ok;
+}
+
 static void list_facets(near_lists *l, const rigid_view *v, const soft_frame *f,
                         int a, int b)
 {
@@ -285,7 +300,7 @@ static void list_facets(near_lists *l, const rigid_view *v, const soft_frame *f,
         int all = ahead[end[0]] & ahead[end[1]] & ahead[end[2]];
         if (all == OVER_NOTHING || is_over_face(ahead, end)) continue;
         if (!may_touch_soft(l, v, end, reach)) continue;
-        if (room_for(l, 1, l->facet_capacity - l->facet.count) < 1) continue;
+        if (!grow_facets(l)) continue;
         facet_pair pair = { .soft = a, .rigid = b, .number = k };
         pair.between = known_plane(&l->facets_before, &pair);
         l->facet.at[l->facet.count++] = pair;
@@ -336,8 +351,10 @@ static void list_points(near_lists *l, rigid_view *v, const soft_frame *f,
         if (up > reach) continue;
         over = over || is_over_body(v, x, ahead, facet);
         l->ahead[i] += over;
-        if (room_for(l, 1, l->point_capacity - l->points) == 1)
+        if (TABLE_ADD(l->point, l->points, l->point_capacity))
             l->point[l->points++] = (point_pair){ i, a, b, ahead, over };
+        else
+            l->dropped++;
     }
     if (is_ready) list_facets(l, v, f, a, b);
 }
@@ -541,7 +558,8 @@ static status particle_tree(sphere_tree *tree, const body *b)
 
 // A particle of a cloth folded on itself has 12 in touch, most of them its
 // neighbours at rest, but the lists look further: 24 a particle.  And it is near
-// 4 rigid bodies at most, where they lie together.
+// 4 rigid bodies, where they lie together; where they are triangles smaller than its
+// spacing it is near more, and those lists grow.
 static bool make_list_room(near_lists *l, int soft)
 {
     int pairs = table_room(24 * soft, l->pair_capacity);

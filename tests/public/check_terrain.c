@@ -304,6 +304,40 @@ START_TEST(a_pile_on_a_wavy_ground_falls_asleep_and_none_falls_through)
 }
 END_TEST
 
+// Cells of 2 m, and heights up to 2 m that have nothing to do with each other.
+static double rough(double x, double z)
+{
+    return 2 * fabs(sin(12.9898 * x + 78.233 * z));
+}
+
+// The point of a cone comes to stand in the crease of a valley, where two sides meet,
+// and is met by both.
+// Rejects: of two sides that hide each other there, both left out.
+START_TEST(what_is_pointed_stays_out_of_the_creases_of_a_rough_ground)
+{
+    unsigned long long r = 11;
+    for (int as = 0; as < 2; as++) {
+        tumble_world *w = empty();
+        lay(w, (form)as, rough, 17, 32, 0);
+        tumble_shape cone = tumble_shape_cone(w, 1, 0.4, 50);
+        double deepest = 0;
+        for (int k = 0; k < 24; k++) {
+            tumble_body_options o = tumble_body_at(3 * (k % 5) - 6.3, 4,
+                                                   3 * (k / 5) - 6.1);
+            tumble_vec3 axis = { random_real(&r), random_real(&r), random_real(&r) };
+            o.pose.rotation = tumble_quat_turn(axis, 3 * random_real(&r));
+            tumble_body_add(w, cone, o);
+        }
+        for (int k = 0; k < 400; k++) {
+            go(w, 1);
+            deepest = fmax(deepest, tumble_world_measure(w).penetration);
+        }
+        ck_assert_msg(deepest < 0.02, "%g m deep", deepest);
+        tumble_world_free(w);
+    }
+}
+END_TEST
+
 // Rejects: a piece that comes for one body, and wakes another.
 START_TEST(what_rolls_by_wakes_no_sleeper)
 {
@@ -338,6 +372,26 @@ START_TEST(a_cloth_lies_on_a_wavy_ground)
     go(w, 180);
     tumble_body_vertices(w, b, at, 400);
     for (int i = 0; i < 400; i++)
+        ck_assert_msg(at[i].y > wavy(at[i].x, at[i].z), "vertex %d", i);
+    tumble_world_free(w);
+}
+END_TEST
+
+// The vertices of the cloth stand .4 m apart, and each is near dozens of triangles.
+// Rejects: a list with room for four of them, which drops what is more.
+START_TEST(a_coarse_cloth_lies_on_a_ground_of_small_triangles)
+{
+    tumble_world *w = empty();
+    tumble_vec3 at[100];
+    lay(w, HEIGHTS, wavy, 101, 10, 0);
+    tumble_body b = tumble_body_add(w, tumble_shape_cloth(w, 10, 10, 3.6, 3.6, 1),
+                                    tumble_body_at(0.3, 1, 0.2));
+    for (int k = 0; k < 120; k++) {
+        go(w, 1);
+        ck_assert_int_eq(tumble_world_last_step(w).dropped, 0);
+    }
+    tumble_body_vertices(w, b, at, 100);
+    for (int i = 0; i < 100; i++)
         ck_assert_msg(at[i].y > wavy(at[i].x, at[i].z), "vertex %d", i);
     tumble_world_free(w);
 }
@@ -964,8 +1018,10 @@ int main(void)
         a_box_slides_over_a_floor_of_cells_as_friction_says,
         a_box_slides_over_cells_that_are_much_smaller_than_it,
         a_pile_on_a_wavy_ground_falls_asleep_and_none_falls_through,
+        what_is_pointed_stays_out_of_the_creases_of_a_rough_ground,
         what_rolls_by_wakes_no_sleeper,
         a_cloth_lies_on_a_wavy_ground,
+        a_coarse_cloth_lies_on_a_ground_of_small_triangles,
         a_bullet_of_three_hundred_metres_a_second_stops,
         what_is_shot_into_a_groove_stays_in_it,
         what_is_thrown_down_bounces,

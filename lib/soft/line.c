@@ -976,9 +976,6 @@ real shape_width(const shape *s, int direction)
 //>   What is held is marked before the first iteration. A particle that slides,
 //>   and whose neighbours all touch the same plane, is left free, because no
 //>   link draws it down. Afterwards the pulls are read off the moves.
-// What is held gives way by this share of what it would.
-static const real GIVE_SHARE = 0.3;         // tuned, 1
-
 // Marks particle i in its blocks.  The last one may share lines with the one
 // before it.
 static void mark(const shape *s, line_scratch *scratch, int i)
@@ -1015,16 +1012,26 @@ static bool lies_flat(const shape *s, const line_hold *hold, int i)
     return is_flat;
 }
 
+// m.  What friction holds the strands draw by a share all the same.  It is taken back
+// before they do, so that a pull that lasts moves nothing.
+static vec3 taken_back(const line_hold *h)
+{
+    vec3 along = vec3_add_scaled(h->pull, -vec3_dot(h->pull, h->normal), h->normal);
+    return vec3_scale(GIVE_SHARE * h->held, along);
+}
+
 static void hold_begin(const shape *s, line_scratch *scratch,
                        const line_hold *hold)
 {
     for (int i = 0; i < s->particles; i++) {
-        real *weight = &scratch->now.weight[i];
-        if (hold[i].state == LINE_STICKS) *weight *= GIVE_SHARE;
-        if (hold[i].state != LINE_SLIDES || !(*weight > 0)) continue;
-        if (lies_flat(s, hold, i)) continue;
-        real m = sqrt((1 - GIVE_SHARE) * *weight);
-        place_set(scratch->hold, i, vec3_scale(m, hold[i].normal));
+        real *weight = &scratch->now.weight[i], share = hold_share(&hold[i]);
+        if (hold[i].state == LINE_FREE) continue;
+        real more = (share - GIVE_SHARE) * *weight;
+        *weight *= share;
+        place_set(scratch->now, i, vec3_sub(place_get(scratch->now, i),
+                                            taken_back(&hold[i])));
+        if (!(more > 0) || lies_flat(s, hold, i)) continue;
+        place_set(scratch->hold, i, vec3_scale(sqrt(more), hold[i].normal));
         mark(s, scratch, i);
     }
 }
@@ -1036,15 +1043,13 @@ static void hold_end(const shape *s, line_scratch *scratch, const particle *p,
     for (int i = 0; i < s->particles; i++) {
         if (hold[i].state == LINE_FREE) continue;
         place_set(scratch->hold, i, (vec3){ 0, 0, 0 });
-        vec3 d = vec3_sub(place_get(scratch->now, i), p[i].position);
-        real into = vec3_dot(d, hold[i].normal);
-        bool sticks = hold[i].state == LINE_STICKS;
-        hold[i].crept = sticks ? vec3_add(hold[i].crept, d) : (vec3){ 0, 0, 0 };
-        if (sticks)
-            d = vec3_scale(1 / GIVE_SHARE, d);
-        else if (into < 0)
-            d = vec3_add_scaled(d, into * (1 / GIVE_SHARE - 1), hold[i].normal);
-        hold[i].pull = d;
+        vec3 from = vec3_sub(p[i].position, taken_back(&hold[i]));
+        vec3 d = vec3_sub(place_get(scratch->now, i), from);
+        real into = real_min(vec3_dot(d, hold[i].normal), 0);
+        real more = 1 / hold_share(&hold[i]);
+        d = vec3_add_scaled(vec3_scale(more, d), into * (1 / GIVE_SHARE - more),
+                            hold[i].normal);
+        hold[i].pull = vec3_scale(0.5, vec3_add(hold[i].pull, d));
     }
 }
 //<
@@ -1138,7 +1143,7 @@ static void hold_strings(const shape *s, const line_scratch *scratch,
                          const particle *p, const line_hold *hold)
 {
     for (int i = 0; i < s->particles; i++) {
-        if (hold[i].state != LINE_SLIDES) continue;
+        if (hold[i].state != LINE_TOUCHES) continue;
         vec3 at = place_get(scratch->now, i);
         real into = vec3_dot(vec3_sub(at, p[i].position), hold[i].normal);
         if (into < 0)

@@ -24,19 +24,26 @@ typedef struct {
     real rest_length;           // m
 } strands;
 
-// A particle that touches something that does not move.  Into it, and to all
-// sides where it sticks, it gives way by a share of what it would; away from
-// it, freely.
-typedef enum { LINE_FREE, LINE_SLIDES, LINE_STICKS } line_state;
+// A particle that touches something that does not move, or two in a corner.  Into
+// it, and to all sides if it is held, it gives way by this share of what it would.
+static const real GIVE_SHARE = 0.3;         // tuned, 1
+
+typedef enum { LINE_FREE, LINE_TOUCHES, LINE_CORNERED } line_state;
 
 typedef struct {
     line_state state;
     vec3 normal;        // unit, out of what it touches
-    vec3 pull;          // m, how far the strands would have moved it, free
-    vec3 crept;         // m, how far it is from where it stuck
+    real held;          // 0 to 1: how much of a move along it friction holds
+    vec3 pull;          // m, how far the strands would have moved it, free: a mean
     real push[2];       // kg m, T h^2 of the links that begin at it, one in
                         // each direction, in the last substep; or 0
 } line_hold;
+
+// By this share of what it would a particle gives way along what it touches.
+static inline real hold_share(const line_hold *h)
+{
+    return 1 - (1 - GIVE_SHARE) * h->held;
+}
 
 // Memory for lines: one for each thread that solves.
 typedef struct line_scratch line_scratch;

@@ -50,7 +50,7 @@ static void forget_holds(const soft_frame *f, const body *b)
     real longer = f->h / f->age, times = longer * longer;
     for (int i = b->first; i < b->first + body_particles(b); i++) {
         line_hold *h = &f->hold[i];
-        if (h->state == LINE_FREE) h->pull = h->crept = (vec3){ 0, 0, 0 };
+        if (h->state == LINE_FREE) h->pull = (vec3){ 0, 0, 0 };
         else h->pull = vec3_scale(times, h->pull);
         h->push[0] *= times;
         h->push[1] *= times;
@@ -187,16 +187,14 @@ void soft_hold(soft_solver *s, const soft_frame *f)
 // Sticks of a cloth may be off by as much.
 static const real CLOTH_TOLERANCE = 0.0025; // tuned, 1
 
-// What lies on something that does not move must not leave it by what the
-// substep before has pulled it in.
+// What lies on something that does not move has no more speed to or from it: what
+// the strands have pulled it in must not throw it off.
 static void drop_pull(particle *p, const line_hold *h)
 {
-    if (h->state == LINE_FREE) return;
-    real up = vec3_dot(vec3_sub(p->position, p->previous), h->normal);
-    if (h->state == LINE_STICKS)
-        p->previous = p->position;
-    else if (up > 0)
-        p->previous = vec3_add_scaled(p->previous, up, h->normal);
+    vec3 went = vec3_sub(p->position, p->previous);
+    if (h->state == LINE_TOUCHES)
+        went = vec3_scale(vec3_dot(went, h->normal), h->normal);
+    if (h->state != LINE_FREE) p->previous = vec3_add(p->previous, went);
 }
 
 // Between pins a sheet may be taut, and threads that give by nothing would pull

@@ -206,41 +206,23 @@ static void distribute_to_all(const soft_touch *x, const particle *before,
 
 //> touch-fixed
 //>   What does not move needs no such care. The particle leaves it, and
-//>   remembers the normal, and whether friction holds it; the strands do the
-//>   rest (chapter 12).
+//>   remembers the normal, and how much of a move friction holds; the strands do
+//>   the rest (chapter 12).
 static vec3 along_side(vec3 way, vec3 normal)
 {
     return vec3_add_scaled(way, -vec3_dot(way, normal), normal);
 }
 
-static vec3 at_most(vec3 way, real most)
+// Coulomb: friction takes back how far the particle went, and how far the strands
+// will draw it, as they did before; but of both no more than its share of the load.
+// The second part is taken back where they draw it (line.c).
+static void slide_particle(particle *p, line_hold *hold, real most)
 {
-    real far = vec3_length(way);
-    return far > most ? vec3_scale(most / far, way) : way;
-}
-
-// What sticks goes back to where it stuck, or it would creep: in a substep by
-// this share of the distance kept, at most, for its strands must follow.
-static const real RETURN = 0.1;             // tuned, 1
-
-static vec3 go_back(line_hold *hold, real apart)
-{
-    vec3 crept = along_side(hold->crept, hold->normal);
-    vec3 back = at_most(crept, RETURN * apart);
-    hold->crept = vec3_sub(crept, back);
-    return back;
-}
-
-// How far the strands will let it slide is what they did in the last substep.
-static void slide_particle(particle *p, line_hold *hold, real most, real apart)
-{
-    vec3 went = vec3_sub(p->position, p->previous);
-    vec3 would = along_side(vec3_add(went, hold->pull), hold->normal);
-    vec3 back = at_most(would, most);
-    hold->state = vec3_length(would) <= most ? LINE_STICKS : LINE_SLIDES;
-    if (hold->state == LINE_STICKS)
-        back = vec3_add(along_side(went, hold->normal), go_back(hold, apart));
-    p->position = vec3_sub(p->position, back);
+    vec3 went = along_side(vec3_sub(p->position, p->previous), hold->normal);
+    vec3 drawn = along_side(hold->pull, hold->normal);
+    real far = vec3_length(vec3_add(went, drawn));
+    hold->held = far > most ? most / far : 1;
+    p->position = vec3_add_scaled(p->position, -hold->held, went);
 }
 
 // Every particle bounces for itself, if it strikes fast: it came by `came` (m)
@@ -284,12 +266,17 @@ static bool touch_fixed(const soft_frame *f, int i, surface_point at,
     if (!(pressed > 0) || !(pressed < HUGE_VAL)) return false;
     if (p->inverse_mass == 0) return true;
     real came = vec3_dot(vec3_sub(p->previous, p->position), at.normal);
+    // The load stops what came, and bears what presses: the strands, which have
+    // drawn a share of that already, or a body, which has pushed it as deep.
+    real load = real_max(came - vec3_dot(hold->pull, at.normal),
+                         pressed - GIVE_SHARE * pressed_into(hold, at.normal));
     p->position = vec3_add_scaled(p->position, depth, at.normal);
     bool is_held = hold->state != LINE_FREE;
     if (is_held && is_one_side(at.normal, hold->normal)) return true;
     hold->normal = at.normal;
-    slide_particle(p, hold, m.friction * pressed, apart);
-    if (is_held) hold->state = LINE_STICKS;
+    hold->state = is_held ? LINE_CORNERED : LINE_TOUCHES;
+    slide_particle(p, hold, m.friction * real_max(load, 0));
+    if (is_held) hold->held = 1;
     if (bounce_off(f, p, at.normal, came, m.restitution))
         hold->state = LINE_FREE;
     return true;

@@ -322,7 +322,7 @@ static void take_manifold(const slider *s, side *x, const manifold *m)
 
 static bool aim(const slider *s, side *x, vec3 m)
 {
-    vec3 to_a = x->contact->a == s->a ? m : vec3_scale(-1, m);
+    vec3 to_a = x->contact->piece_a == s->a ? m : vec3_scale(-1, m);
     manifold found = find_along(s, x->contact, to_a);
     if (found.count > 0) take_manifold(s, x, &found);
     return found.count > 0;
@@ -336,15 +336,16 @@ static real apart_along(const slider *s, int b, vec3 m)
 //<
 
 //> seams-face
-//>   Which face of B, if the one that was met is covered? The one that A is
-//>   furthest outside of.
+//>   Which face of B, if the one that was met is covered? Of those that look its
+//>   way at all, the one that A is furthest outside of.
 static bool best_face(const slider *s, const side *x, vec3 *best)
 {
     collider b = cache_collider(s->c, s->f, x->b);
     real most = -HUGE_VAL;
     for (int k = 0; k < b.shape->mesh.faces; k++) {
         vec3 m = vec3_unit(face_area(b.shape, b.at, k));
-        if (vec3_dot(m, x->n) > ALIKE) continue;
+        real along = vec3_dot(m, x->n);
+        if (!(along > 0) || along > ALIKE) continue;
         real apart = apart_along(s, x->b, m);
         if (apart > most) most = apart, *best = m;
     }

@@ -447,27 +447,29 @@ START_TEST(joined_bodies_do_not_meet_with_any_piece)
 }
 END_TEST
 
-// A wavy ground of triangles carries each piece.
+// A wavy ground of triangles, in a wide bowl, carries each piece.
+// Rejects: the second piece of a body pushed into the ground, because it was asked
+// by the number of the body.
 START_TEST(pieces_lie_on_triangles)
 {
     tumble_world *w = made(9.81, true);
     double height[441];
-    for (int k = 0; k < 441; k++)
-        height[k] = 0.1 * sin(k % 21) * cos(0.7 * (k / 21));
+    for (int k = 0; k < 441; k++) {
+        int x = k % 21 - 10, z = k / 21 - 10;
+        height[k] = 0.1 * sin(k % 21) * cos(0.7 * (k / 21))
+                  + 0.01 * (x * x + z * z);
+    }
     tumble_body_options o = tumble_body_at(0, 0, 0);
     tumble_body_add_heights(w, height, 21, 21, 20, 20, 0, o);
-    tumble_body b[9];
     for (int k = 0; k < 9; k++) {
         o = tumble_body_at(3 * (k % 3) - 3, 1, 3 * (k / 3) - 3);
         o.spin = tumble_v(k, 1, 2);
-        b[k] = dumbbell(w, o);
+        dumbbell(w, o);
     }
-    run(w, 15);
-    for (int k = 0; k < 9; k++) {
-        double y = tumble_body_position(w, b[k]).y;
-        ck_assert_msg(y > 0.15 && y < 0.5, "%d at %g", k, y);
+    for (int k = 0; k < 90; k++) {
+        run(w, 1.0 / 6);
+        ck_assert(tumble_world_measure(w).penetration < 0.01);
     }
-    ck_assert(tumble_world_measure(w).kinetic < 0.05);
     fine(w);
     tumble_world_free(w);
 }

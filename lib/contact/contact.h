@@ -100,7 +100,8 @@ enum { CONTACT_ROUNDS = 8 };                // tuned, rounds
 // frame takes (substeps.c).
 static const real CONTACT_GIVES = 0.0035;   // tuned, radii
 
-// An overlap is deep that is more than this, of the smaller radius: it is reported.
+// An overlap is deep that is more than this, of the smaller radius: it is reported,
+// and so deep inside of a face nothing has come through it.
 static const real CONTACT_DEEP = 0.1;       // tuned, radii
 
 // Contact c will be read soon: a processor may fetch it already.

@@ -336,26 +336,26 @@ static real apart_along(const slider *s, int b, vec3 m)
 //<
 
 //> seams-face
-//>   Which face of B, if the one that was met is covered? Of those that look its
-//>   way at all, the one that A is furthest outside of.
-static bool best_face(const slider *s, const side *x, vec3 *best)
+//>   Which face of B, if the one that was met is covered? The one that A is
+//>   furthest outside of.
+static real best_face(const slider *s, const side *x, vec3 *best)
 {
     collider b = cache_collider(s->c, s->f, x->b);
     real most = -HUGE_VAL;
     for (int k = 0; k < b.shape->mesh.faces; k++) {
         vec3 m = vec3_unit(face_area(b.shape, b.at, k));
-        real along = vec3_dot(m, x->n);
-        if (!(along > 0) || along > ALIKE) continue;
+        if (vec3_dot(m, x->n) > ALIKE) continue;
         real apart = apart_along(s, x->b, m);
         if (apart > most) most = apart, *best = m;
     }
-    return most > -HUGE_VAL;
+    return most;
 }
 
 static bool aim_at_face(const slider *s, side *x)
 {
     vec3 m;
-    return best_face(s, x, &m) && aim(s, x, m) && !is_covered_by_any(s, x);
+    return best_face(s, x, &m) > -CONTACT_DEEP * s->f->now[s->a].radius
+        && aim(s, x, m) && !is_covered_by_any(s, x);
 }
 //<
 

@@ -1,9 +1,10 @@
-// family_seams.c - rows 101 to 109: floors of pieces, and bodies that slide
-// over their seams.
+// family_seams.c - rows 101 to 109: ground of pieces, and bodies that slide over its
+// seams, or fall into its creases.
 //
 // A floor of pieces that lie flush is a plane.  So a body that slides stops
 // after v^2 / (2 mu g), without friction it keeps its speed, a ball ends by
-// rolling with 5/7 of its speed, and nothing hops or turns aside.
+// rolling with 5/7 of its speed, and nothing hops or turns aside.  And whatever the
+// ground, nothing is in it.
 
 #include "family.h"
 
@@ -341,9 +342,88 @@ static void real_step(hard_report *r, int fast)
     family_add(r, &before, "", "stopped before the step / size");
 }
 
+// ---- 104: rough ground -----------------------------------------------------
+
+// Heights on a grid of cells of two sizes that have nothing to do with each other;
+// things of six kinds are let fall on them.
+enum { ROUGH = 17, FALLEN = 18 };
+
+static void lay_rough_ground(tumble_world *w, family_seed *s, double size,
+                             double rough, int is_mesh)
+{
+    double height[ROUGH * ROUGH], side = 2 * size;
+    tumble_vec3 point[ROUGH * ROUGH];
+    int corner[6 * ROUGH * ROUGH], n = 0;
+    for (int k = 0; k < ROUGH * ROUGH; k++) {
+        int i = k % ROUGH, j = k / ROUGH;
+        height[k] = family_between(s, -rough * side, 0);
+        point[k] = (tumble_vec3){ side * (i - ROUGH / 2), height[k],
+                                  side * (j - ROUGH / 2) };
+        int cell[6] = { k, k + ROUGH, k + ROUGH + 1, k, k + ROUGH + 1, k + 1 };
+        if (i == ROUGH - 1 || j == ROUGH - 1) continue;
+        for (int c = 0; c < 6; c++) corner[n++] = cell[c];
+    }
+    tumble_body_options o = tumble_body_at(0, 0, 0);
+    double wide = side * (ROUGH - 1);
+    if (is_mesh)
+        tumble_body_add_mesh(w, point, ROUGH * ROUGH, corner, n / 3, 0, o);
+    else
+        tumble_body_add_heights(w, height, ROUGH, ROUGH, wide, wide, 0, o);
+}
+
+static void drop_thing(tumble_world *w, family_seed *s, int k, double size)
+{
+    double a = size / 2;
+    tumble_pose at[2] = { place(0, 0, 0), place(1.5 * a, 0, 0) };
+    tumble_shape of[2];
+    tumble_body_options o = tumble_body_at(size * (2 * (k % 3) - 2),
+        size * (1 + 1.5 * (k / 9)), size * (2 * (k / 3 % 3) - 2));
+    o.pose.rotation = family_rotation(s);
+    of[0] = k % 6 == 0 ? tumble_shape_cone(w, size, 0.8 * a, 1)
+          : k % 6 == 1 ? tumble_shape_box(w, (tumble_vec3){ size, a, a / 4 }, 1)
+          : k % 6 == 2 ? tumble_shape_capsule(w, a, a / 2, 1)
+          : k % 6 == 3 ? tumble_shape_cylinder(w, a / 2, a, 1)
+          : k % 6 == 4 ? family_prism(w, 6, a, size / 3, 1)
+                       : tumble_shape_sphere(w, 0.6 * a, 2);
+    of[1] = tumble_shape_sphere(w, 0.4 * a, 1);
+    if (k % 6 == 5) tumble_body_add_compound(w, of, at, 2, o);
+    else            tumble_body_add(w, of[0], o);
+}
+
+static void rough_ground(hard_report *r, int fast)
+{
+    static const double size[] = { 0.4, 0.02, 4 }, rough[] = { 0.1, 0.3, 1 };
+    static const double dt[] = { 1 / 60.0, 1 / 240.0 };
+    family_worst deep = { .target = 0.02 }, end = { .target = 0.005 };
+    family_seed s = 104;
+    for (int k = 0; k < (fast ? 2 : 72); k++) {
+        double a = size[k / 2 % 3], share = rough[k / 6 % 3], h = dt[k / 18 % 2];
+        tumble_options o = family_options(h, 0.5);
+        tumble_world *w = tumble_world_make(&o);
+        double deepest = 0, now = 0, seconds = 12 * sqrt(a / FAMILY_G);
+        lay_rough_ground(w, &s, a, share, k % 2);
+        for (int i = 0; i < FALLEN; i++) drop_thing(w, &s, i, a);
+        for (int i = (int)(seconds / h); i > 0; i--) {
+            tumble_world_step(w);
+            now = tumble_world_measure(w).penetration;
+            deepest = hard_worse(deepest, now);
+        }
+#define HERE "%g m, %s as rough as %g, dt 1/%.0f", a, \
+    k % 2 ? "triangles" : "heights", share, 1 / h
+        family_trial(&deep, deepest / a, HERE);
+        family_trial(&end, now / a, HERE);
+#undef HERE
+        family_ok(r, w);
+        tumble_world_free(w);
+    }
+    family_add(r, &deep, "", "deepest in any frame / size");
+    family_add(r, &end, "", "deepest at the end / size");
+}
+
 const hard_case family_seams[] = {
     { 101, "slides over seams", 1, sliding },
     { 102, "glides over seams", 1, gliding },
     { 103, "a real step still stops", 1, real_step },
+    { 104, "rough ground holds what falls", 1, rough_ground },
     { 0, NULL, 0, NULL }
 };

@@ -361,19 +361,29 @@ START_TEST(what_rolls_by_wakes_no_sleeper)
 }
 END_TEST
 
-// Rejects: cloth and ropes that know no surface.
-START_TEST(a_cloth_lies_on_a_wavy_ground)
+// A sheet of n x n vertices comes to lie on wavy ground of so many points a side, and
+// finds memory for all that it touches.
+static void lay_sheet(int points, double side, int n, double width)
 {
     tumble_world *w = empty();
     tumble_vec3 at[400];
-    lay(w, HEIGHTS, wavy, 41, 20, 0);
-    tumble_body b = tumble_body_add(w, tumble_shape_cloth(w, 20, 20, 2, 2, 1),
+    lay(w, HEIGHTS, wavy, points, side, 0);
+    tumble_body b = tumble_body_add(w, tumble_shape_cloth(w, n, n, width, width, 1),
                                     tumble_body_at(0.3, 1, 0.2));
-    go(w, 180);
+    for (int k = 0; k < 180; k++) {
+        go(w, 1);
+        ck_assert_int_eq(tumble_world_last_step(w).dropped, 0);
+    }
     tumble_body_vertices(w, b, at, 400);
-    for (int i = 0; i < 400; i++)
+    for (int i = 0; i < n * n; i++)
         ck_assert_msg(at[i].y > wavy(at[i].x, at[i].z), "vertex %d", i);
     tumble_world_free(w);
+}
+
+// Rejects: cloth and ropes that know no surface.
+START_TEST(a_cloth_lies_on_a_wavy_ground)
+{
+    lay_sheet(41, 20, 20, 2);
 }
 END_TEST
 
@@ -381,19 +391,7 @@ END_TEST
 // Rejects: a list with room for four of them, which drops what is more.
 START_TEST(a_coarse_cloth_lies_on_a_ground_of_small_triangles)
 {
-    tumble_world *w = empty();
-    tumble_vec3 at[100];
-    lay(w, HEIGHTS, wavy, 101, 10, 0);
-    tumble_body b = tumble_body_add(w, tumble_shape_cloth(w, 10, 10, 3.6, 3.6, 1),
-                                    tumble_body_at(0.3, 1, 0.2));
-    for (int k = 0; k < 120; k++) {
-        go(w, 1);
-        ck_assert_int_eq(tumble_world_last_step(w).dropped, 0);
-    }
-    tumble_body_vertices(w, b, at, 100);
-    for (int i = 0; i < 100; i++)
-        ck_assert_msg(at[i].y > wavy(at[i].x, at[i].z), "vertex %d", i);
-    tumble_world_free(w);
+    lay_sheet(101, 10, 10, 3.6);
 }
 END_TEST
 

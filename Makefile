@@ -220,7 +220,7 @@ endef
 .SECONDEXPANSION:
 .SECONDARY:
 .DELETE_ON_ERROR:
-.PHONY: lines help deps deps-book deps-site deps-dev deps-peers demo test checks objects book html pdf epub library \
+.PHONY: lines help deps deps-book deps-site deps-dev deps-peers demo test test-course checks objects book html pdf epub library \
   figures hard coverage bits sanitize valgrind fuzz fuzzers strict clean FORCE $(CHAPTERS) \
   $(CHAPTERS:%=test-%) $(CHAPTERS:%=figure-%) $(FIGURES:%=figure-%) \
   $(CHAPTERS:%=tests-of-%) $(CHAPTERS:%=figures-of-%) demo-programs
@@ -231,7 +231,9 @@ $(foreach c,$(CHAPTERS),$(eval $(call chapter,$c)))
 #:   make deps       install what is missing (Check, gnuplot, libpng, and
 #:                   aspell for the spelling of the book)
 #:   make demo       run the three scenes, draw them, print a table
-#:   make test       build and run every test, and check the book
+#:   make test       build and run every test of the library, and check that the
+#:                   book says what it does; make test-course: the exercises, the
+#:                   little program, the commands and the page
 help:
 	@b=; r=; if [ -t 1 ]; then b=$$(printf '\033[1m'); r=$$(printf '\033[0m'); fi; \
 	sed -n "s/^#: \([A-Z][a-z ]*\)$$/$$b\1$$r/p; t; s/^#: \{0,1\}//p" Makefile
@@ -267,11 +269,17 @@ demo: need-charts
 	@echo "The pictures and charts are in $(BUILD)/demo:" && ls $(BUILD)/demo/*.png $(BUILD)/demo/*.svg
 
 # Every test runs, even if another one fails or does not build.
-test: need-check
+COURSE := $(patsubst %,tests/script/check_%.sh,exercises little page command follow \
+  start hints swap weave make readme)
+TRIED_test        := $(CHECKS) $(filter-out $(COURSE),$(wildcard tests/script/check_*.sh))
+TRIED_test-course := $(COURSE)
+test test-course: need-check
 	$(BUILT) -k checks public single || touch $(BUILD)/unbuilt
 	@unbuilt=; ! rm $(BUILD)/unbuilt 2> /dev/null || unbuilt=1; \
 	MINE= YOURS='$(MINE)' BUILD='$(BUILD)' JOBS=$(CORES) UNBUILT=$$unbuilt \
-	  sh tests/script/run.sh $(CHECKS) $(wildcard tests/script/check_*.sh)
+	  sh tests/script/run.sh $(TRIED_$@)
+# One after the other: both build the same.
+$(if $(filter test,$(MAKECMDGOALS)),$(eval test-course: test))
 
 #:
 #: Read and learn
@@ -424,7 +432,7 @@ endif
 #:   make watch 01            the tests of chapter 01 whenever you save a file,
 #:                            and any exercise whose file you save
 #:   make check-exercises     is every exercise sound, with all its wrong
-#:                            answers (make test tries two), and the runner?
+#:                            answers (make test-course tries two), and the runner?
 READER := exercise hint solution reset progress
 WHICH  := $(NAMED) $(foreach goal,$(MAKECMDGOALS),$(if $(findstring /,$(goal)),$(goal)))
 # The runner says what no exercise has for its name.

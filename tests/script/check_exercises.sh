@@ -1,7 +1,7 @@
 # check_exercises.sh - is every exercise sound (exercises/check.sh), and are the
 # checker and the reader's runner to be trusted?  They are shown exercises that are
 # broken on purpose, and code with the accidents that befall a reader; each trial
-# wants its sentence.  Of each exercise make test tries two wrong variants, and
+# wants its sentence.  Of each exercise make test-course tries two wrong variants, and
 # make check-exercises all (WRONGS=).
 
 export LC_ALL=C

@@ -21,7 +21,7 @@ if [ "$1" = --one ]; then
     exit 0
 fi
 
-failed= programs=0 checks=0 faults=
+failed= programs=0 checks=0 faults= library=
 [ $# -gt 0 ] || { echo "FAILED: there is no test to run" >&2; exit 1; }
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
@@ -77,4 +77,5 @@ if [ -n "$failed" ] || [ -n "$UNBUILT" ]; then
     [ -z "$failed" ] || echo "FAILED:$failed"
     exit 1
 fi
-echo "All passed: $programs programs, $checks checks of the library"
+[ "$checks" -eq 0 ] || library=", $checks checks of the library"
+echo "All passed: $programs programs$library"

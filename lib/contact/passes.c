@@ -870,14 +870,12 @@ ALWAYS_INLINE void brake_block(block *k, real4 most, sides4 *u, bool two)
 //> passes-relax
 //>   As the push does, the relax pass leaves a point alone that is open and
 //>   closes fast, if it will have an impact (chapter 15).
-ALWAYS_INLINE void relax_block(block *k, const solver_pass *q, bool two,
-                               bool has_impacts)
+ALWAYS_INLINE void relax_once(block *k, const solver_pass *q, sides4 *side,
+                              bool two, bool has_impacts)
 {
     const real4 zero = real4_all(0), per_h = real4_all(q->per_h);
     const real4 friction = k->friction;
-    see_block(k, q, two);
-    sides4 u = take_sides(k, q->velocity, two);
-    if (k->is_stale && !wakes(k, q, &u, two)) return;
+    sides4 u = *side;
     real4 parting = part_centers(k->normal, &u, two), sum = zero;
     real4 inverse = inverse_mass(k, two), along = zero, moment = zero;
     for (int j = 0; j < k->points; j++) {
@@ -898,6 +896,17 @@ ALWAYS_INLINE void relax_block(block *k, const solver_pass *q, bool two,
         brake_block(k, real4_mul(friction, along), &u, two);
         k->rubs = real4_any(along);
     }
+    *side = u;
+}
+
+ALWAYS_INLINE void relax_block(block *k, const solver_pass *q, bool two,
+                               bool has_impacts)
+{
+    see_block(k, q, two);
+    sides4 u = take_sides(k, q->velocity, two);
+    if (k->is_stale && !wakes(k, q, &u, two)) return;
+    for (int round = 0; round < q->rounds; round++)
+        relax_once(k, q, &u, two, has_impacts);
     give_sides(k, q->velocity, &u, two);
 }
 //<

@@ -185,6 +185,7 @@ typedef struct {
     bool is_swapped;    // A yields to no push: the block's A is the contact's B
     bool is_new;        // it, or one of its points, was not in the last frame
     bool is_deep;       // overlaps by more than a tenth of the smaller radius
+    bool carries;       // these bring an impulse along
     signed char point[CONTACT_POINTS];  // which of the contact's
     real least;                         // m, of all points
     real load;          // N s, along the normal, when last solved
@@ -224,6 +225,8 @@ typedef struct {
     int  sides;
     bool is_crowded;    // more contacts met in one body than there are colours:
                         // these share bodies, one in a block
+    bool carries;       // they bring impulses along; if not, they have yet to
+                        // find them
 } block_color;
 
 typedef struct {
@@ -240,7 +243,7 @@ typedef struct {
     int  point_capacity, place_capacity;
     int  *start;                        // [blocks + 1] where they begin
     int  start_capacity;
-    block_color color[SIDES * COLORS];
+    block_color color[2 * SIDES * COLORS];
     int  colors;
     unsigned long long (*taken)[SIDES]; // [bodies] colours of each
     int  *first_of;                     // [bodies] the first side of a block's
@@ -286,7 +289,8 @@ typedef struct {
     real max_rate;
     real slowest;           // m/s, what closes more slowly does not strike
     softness soft[SIDES];
-    int first, count, sides;    // the blocks of a colour
+    int first, count, sides;    // the blocks of a colour,
+    int rounds;                 // and how often relax goes over each
     const solver_frame *f;
 } solver_pass;
 

@@ -59,24 +59,27 @@ static void activate(active_contact *x, const contact *c, const solver_frame *f,
     x->count = 0;
     x->weight = x->borne = x->lift = 0;
     x->above = -1;
-    x->is_deep = false;
+    x->is_deep = x->carries = false;
     if (!yields_a && !yields_b) return;
     contact_gaps(c, &f->body[c->a].frame, b, height, gap);
     for (int k = 0; k < c->count; k++) {
         x->least = real_min(gap[k], x->least);
         if (!(gap[k] < reach)) continue;
         x->point[x->count++] = (signed char)k;
+        x->carries |= c->impulse[k] > 0;
     }
     find_loads(x, c, f);
     x->is_deep = x->count > 0
               && x->least < -CONTACT_DEEP * active_radius(x, f);
 }
 
-// Is x the contact y of the frame before, with the same points?
+// Is x the contact y of the frame before, with the same points, in a block of the
+// same kind?
 static bool is_same(const active_contact *x, const active_contact *y)
 {
     if (x->found != y->found || x->count != y->count || x->a != y->a
-        || x->b != y->b || x->sides != y->sides) return false;
+        || x->b != y->b || x->sides != y->sides
+        || x->carries != y->carries) return false;
     for (int j = 0; j < x->count; j++)
         if (x->point[j] != y->point[j]) return false;
     return true;
@@ -110,48 +113,57 @@ static void choose_color(contact_solver *s, active_contact *x)
     *b |= 1ULL << color;
 }
 
-// Those of a colour stand together; of these, those that carry something, for
-// the others need no friction; and of these those with as many points: a block
-// takes as long as the contact in it that has most.
+// Those of a colour stand together; of these, in blocks of their own, those that
+// carry something, and of these those with as many points: a block takes as long as
+// the contact in it that has most.
 enum { KINDS = 2 * CONTACT_POINTS, BINS = SIDES * COLORS * KINDS };
+typedef int color_counts[SIDES * COLORS][2];        // carrying nothing; something
 
 static int bin_of(const active_contact *x)
 {
     int fewer = CONTACT_POINTS - x->count;
-    return x->color * KINDS + (x->load > 0 ? fewer : KINDS - 1 - fewer);
+    return x->color * KINDS + (x->carries ? fewer : KINDS - 1 - fewer);
 }
 
 // Counting sort.  Of most colours there is none, so of[color] counts them.
-static void sort_contacts(contact_solver *s, int of[SIDES * COLORS])
+static void sort_contacts(contact_solver *s, color_counts of)
 {
     int at[BINS] = { 0 }, sum = 0;
     for (int k = s->first; k < s->end; k++) {
-        if (s->active[k].count == 0) continue;
-        of[s->active[k].color]++;
-        at[bin_of(&s->active[k])]++;
+        const active_contact *x = &s->active[k];
+        if (x->count == 0) continue;
+        of[x->color][x->carries]++;
+        at[bin_of(x)]++;
     }
-    for (int c = 0; c < SIDES * COLORS; c++)
-        for (int bin = c * KINDS; of[c] > 0 && bin < (c + 1) * KINDS; bin++) {
+    for (int c = 0; c < SIDES * COLORS; c++) {
+        int n = of[c][0] + of[c][1];
+        for (int bin = c * KINDS; n > 0 && bin < (c + 1) * KINDS; bin++) {
             sum += at[bin];
             at[bin] = sum - at[bin];
         }
+    }
     for (int k = s->first; k < s->end; k++)
         if (s->active[k].count > 0) s->order[at[bin_of(&s->active[k])]++] = k;
 }
 
-static void list_colors(contact_solver *s, const int of[SIDES * COLORS])
+static void list_color(contact_solver *s, int color, bool carries, int first, int n)
+{
+    bool is_crowded = color % COLORS == COLORS - 1;
+    int blocks = is_crowded ? n : (n + REAL4 - 1) / REAL4;
+    if (n == 0) return;
+    s->color[s->colors++] = (block_color){ s->blocks, blocks, first, n,
+                                           color / COLORS, is_crowded, carries };
+    s->blocks += blocks;
+}
+
+static void list_colors(contact_solver *s, color_counts of)
 {
     int first = 0;
     s->colors = s->blocks = 0;
     for (int c = 0; c < SIDES * COLORS; c++) {
-        int n = of[c];
-        bool is_crowded = c % COLORS == COLORS - 1;
-        int blocks = is_crowded ? n : (n + REAL4 - 1) / REAL4;
-        if (n == 0) continue;
-        s->color[s->colors++] = (block_color){ s->blocks, blocks, first, n,
-                                               c / COLORS, is_crowded };
-        s->blocks += blocks;
-        first += n;
+        list_color(s, c, true, first, of[c][1]);
+        list_color(s, c, false, first + of[c][1], of[c][0]);
+        first += of[c][0] + of[c][1];
     }
 }
 //<
@@ -229,7 +241,7 @@ static bool make_block_room(contact_solver *s)
 
 static bool make_blocks(contact_solver *s, preparation *p)
 {
-    int of[SIDES * COLORS] = { 0 };
+    color_counts of = { { 0 } };
     for (int k = s->first; k < s->end; k++) clear_colors(s, &s->active[k]);
     for (int k = s->first; k < s->end; k++)
         if (s->active[k].count > 0) choose_color(s, &s->active[k]);
@@ -299,6 +311,12 @@ static softness softness_of(const solver_frame *f, int sides)
     return (softness){ omega / a1, a2 * a3, a3 };
 }
 
+// A contact that brings no impulse along has yet to find it, and what its points and
+// its friction have not found together in a substep turns its bodies.  A block that
+// is set down on a slope, and ought to stand, got a speed that toppled it.  So those
+// are relaxed more than once.
+enum { FIRST_ROUNDS = 4 };                  // tuned, rounds
+
 static void run_pass(contact_solver *s, const solver_frame *f,
                      motion *velocity, const motion *moved,
                      solver_work *work)
@@ -311,6 +329,7 @@ static void run_pass(contact_solver *s, const solver_frame *f,
         q.first = s->color[c].first;
         q.count = s->color[c].count;
         q.sides = s->color[c].sides;
+        q.rounds = s->color[c].carries ? 1 : FIRST_ROUNDS;
         tasks none = { 0 };
         tasks_run(s->color[c].is_crowded ? none : f->run, work, &q,
                   task_items(q.count, FEW_BLOCKS));

@@ -282,17 +282,22 @@ static void solve_across(const pair *p, contact *c, const vec3 arm[2],
     apply(p, arm, vec3_sub(c->friction, was));
 }
 
-void plain_relax(plain_solver *s)
+static void relax(plain_solver *s, int i)
 {
     const softness rigid = { .rate = 0, .mass = 1, .impulse = 0 };
-    for (int i = 0; i < s->contacts; i++) {
-        contact *c = s->contact[i];
-        pair p = pair_of(s, c);
-        solve_normals(s, i, rigid, true);
-        friction_center f = center_of(s, i, &p);
-        solve_twist(&p, c, s->frame->friction * f.lever);
-        solve_across(&p, c, f.arm, s->frame->friction * contact_load(c));
-    }
+    contact *c = s->contact[i];
+    pair p = pair_of(s, c);
+    solve_normals(s, i, rigid, true);
+    friction_center f = center_of(s, i, &p);
+    solve_twist(&p, c, s->frame->friction * f.lever);
+    solve_across(&p, c, f.arm, s->frame->friction * contact_load(c));
+}
+
+// A contact that brought no impulse along has yet to find it.
+void plain_relax(plain_solver *s)
+{
+    for (int i = 0; i < s->contacts; i++)
+        for (int round = 0; round < (s->is_first[i] ? 4 : 1); round++) relax(s, i);
 }
 //<
 
@@ -303,6 +308,7 @@ void plain_begin(plain_solver *s)
 {
     for (int i = 0; i < s->contacts; i++) {
         contact *c = s->contact[i];
+        s->is_first[i] = contact_load(c) == 0;
         // One point cannot hold a twist that more have held.
         if (c->count == 1) c->twist = 0;
         // The normal may have turned since the last frame.

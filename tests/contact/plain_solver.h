@@ -19,6 +19,7 @@ typedef struct {
     motion *velocity;               // [bodies + 1] the last is for planes
     motion *moved;                  // [bodies + 1] of what lies, since then
     solver_body *body;              // [bodies] where they stand now
+    bool *is_first;                 // [contacts] no impulse was brought along
 } plain_solver;
 
 // The start of a frame.

@@ -161,7 +161,8 @@ typedef struct {
                             // body's radius, joints apart by a hundredth of
                             // it, or with axes off by a hundredth of a radian,
                             // ropes and cloths that are stretched by a
-                            // hundredth, and bodies that were
+                            // hundredth, or are not yet out of what they, or
+                            // it, were set down in, and bodies that were
                             // stopped, for their numbers were lost: that is a
                             // failure, too, and has a sentence
     int prevented;          // unless options say otherwise: pairs of triangles of

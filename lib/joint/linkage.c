@@ -1151,8 +1151,59 @@ void linkage_prepare(linkage *l, const linkage_pass *q)
     find_inverses(l, q);
 }
 
+// What was set down far from where its joint wants it is put there, and not thrown: a
+// pull that turns on the way leaves a speed across it.  So a tree that hangs on
+// something ends a substep with no more energy than it began with.  (What is free
+// keeps its momenta, and that speed.)
+static real tree_energy(const linkage *l, const linkage_pass *q, int first, int end)
+{
+    real sum = 0;
+    for (int s = first; s < end; s++) {
+        int b = l->step[s].body;
+        if (moves(q->f, b)) sum += motion_energy(basis_of(q->f, b), &q->velocity[b]);
+    }
+    return sum;
+}
+
+static bool is_far_apart(const linkage *l, int first, int end)
+{
+    bool is_far = false;
+    for (int s = first; s < end - 1; s++) {
+        int k = l->step[s].joint;
+        real deep = CONTACT_DEEP * l->rows[k].size;
+        is_far |= !l->rows[k].is_free
+               && parted_by(&l->joint[k], &l->rows[k]) > deep;
+    }
+    return is_far;
+}
+
+static void note_energies(linkage *l, const linkage_pass *q)
+{
+    for (int first = 0, end; first < l->steps; first = end) {
+        end = tree_end(l, first);
+        linkage_body *root = &l->body[l->step[end - 1].body];
+        root->brought = is_far_apart(l, first, end)
+                      ? tree_energy(l, q, first, end) : HUGE_VAL;
+    }
+}
+
+static void calm_trees(linkage *l, const linkage_pass *q)
+{
+    for (int first = 0, end; first < l->steps; first = end) {
+        end = tree_end(l, first);
+        real most = l->body[l->step[end - 1].body].brought;
+        if (!(most < HUGE_VAL)) continue;
+        real now = tree_energy(l, q, first, end);
+        real left = now > most ? sqrt(most / now) : 1;
+        for (int s = first; s < end; s++)
+            for (int i = 0; i < MOTIONS && moves(q->f, l->step[s].body); i++)
+                q->velocity[l->step[s].body].of[i] *= left;
+    }
+}
+
 void linkage_begin(linkage *l, const linkage_pass *q)
 {
+    note_energies(l, q);
     if (l->is_driven) begin_drives(l, q);
     for (int k = 0; k < l->count; k++) {
         joint_rows *r = &l->rows[k];
@@ -1305,6 +1356,7 @@ void linkage_relax(linkage *l, const linkage_pass *q)
     find_rows(l, q);
     if (l->is_driven)   settle_bounds(l, q, bias_driven_velocity, 1, 0);
     else                settle_bounds(l, q, bias_velocity, 1, 0);
+    calm_trees(l, q);
     find_speeds(l, q);
     break_overloaded(l, q);
     if (l->is_stale) begin_roles(l, q);

@@ -20,6 +20,10 @@
 //<
 
 //> near-frame
+// Is a deformable body deep in what it was set down in, or what was set down in it?
+// The next substep tells; and then it is watched until nothing was wrong in a frame.
+typedef enum { SUNK_NOT, SUNK_PERHAPS, SUNK_BEFORE, SUNK } sunk_state;
+
 // What cloth and rope are told about a substep.  They own their particles, and
 // move them; rigid bodies they only push.
 typedef struct {
@@ -43,6 +47,7 @@ typedef struct {
     const material *material;   // [bodies] what they are made of,
     const material *wall;       // [planes] and these
     const int *owner;           // [particles] of the pool: whose they are
+    sunk_state *sunk;           // [bodies] of deformable ones
     int  iterations;            // over strands, at most
     bool certified;             // no cloth crosses cloth, see certificate.h
     relax_options relax;

@@ -129,12 +129,26 @@ static void draw_diagonals(soft_solver *s, const soft_frame *f, const body *b)
     s->relaxed += others;
 }
 
+// kg m^2, twice the kinetic energy times h^2.
+static real sum_of_moves(const soft_frame *f, const body *b)
+{
+    real sum = 0;
+    for (int i = b->first; i < b->first + body_particles(b); i++) {
+        const particle *p = &f->particle[i];
+        real move2 = vec3_length_squared(vec3_sub(p->position, p->previous));
+        if (p->inverse_mass > 0) sum += move2 / p->inverse_mass;
+    }
+    return sum;
+}
+
 void soft_move(soft_solver *s, const soft_frame *f)
 {
     for (int n = 0; n < f->softs; n++) {
         const body *x = &f->body[f->soft[n]];
         if (!soft_moves(f, f->soft[n])) continue;
         fall_particles(f, x);
+        if (s->sunk[f->soft[n]] != SUNK_NOT)
+            s->fallen[f->soft[n]] = sum_of_moves(f, x);
         bend_relax(x->shape, x->bending, f->particle + x->first, f->h,
                    s->bends);
         forget_holds(f, x);
@@ -261,6 +275,32 @@ void soft_relax(soft_solver *s, const soft_frame *f)
             drop_pull(&f->particle[b->first + i], &hold[i]);
     }
 }
+
+// What is put out, and what that moves, goes no faster for it.  It is watched until
+// a frame is over in which nothing is deep, and no substep would have made it faster
+// by a hundredth of a spacing for each frame.
+static void calm(sunk_state *sunk, const soft_frame *f, const body *b, real fallen)
+{
+    real now = sum_of_moves(f, b);
+    real far = STRAINED * b->shape->spacing * f->h / f->frame;
+    real left = now > fallen ? sqrt(fallen / now) : 1;
+    if (now - fallen > b->mass * far * far) *sunk = SUNK;
+    for (int i = b->first; i < b->first + body_particles(b); i++) {
+        particle *p = &f->particle[i];
+        vec3 went = vec3_sub(p->position, p->previous);
+        p->previous = vec3_add_scaled(p->position, -left, went);
+    }
+}
+
+void soft_calm(const soft_solver *s, const soft_frame *f)
+{
+    for (int n = 0; n < f->softs; n++) {
+        int b = f->soft[n];
+        if (!soft_moves(f, b)) continue;
+        if (s->sunk[b] == SUNK_PERHAPS) s->sunk[b] = SUNK_NOT;
+        if (s->sunk[b] != SUNK_NOT) calm(&s->sunk[b], f, &f->body[b], s->fallen[b]);
+    }
+}
 //<
 
 //> soft-energy
@@ -333,8 +373,12 @@ int soft_stretched(const soft_frame *f)
     int count = 0;
     for (int n = 0; n < f->softs; n++) {
         const body *x = &f->body[f->soft[n]];
-        if (soft_moves(f, f->soft[n]) && !(x->compliance > 0))
-            count += is_stretched(x->shape, f->particle + x->first);
+        sunk_state *sunk = &f->sunk[f->soft[n]];
+        if (!soft_moves(f, f->soft[n])) continue;
+        count += *sunk == SUNK
+              || (!(x->compliance > 0)
+                  && is_stretched(x->shape, f->particle + x->first));
+        if (*sunk > SUNK_PERHAPS) *sunk = *sunk == SUNK ? SUNK_BEFORE : SUNK_NOT;
     }
     return count;
 }
@@ -544,6 +588,8 @@ static bool make_soft_room(soft_solver *s, const body *b, int bodies, int partic
     if (room > s->bodies) TABLE_GROW(ok, s->ahead, s->bodies, room);
     if (ok && room > s->bodies) TABLE_GROW(ok, s->held, s->bodies, room);
     if (ok && room > s->bodies) TABLE_GROW(ok, s->sweeps, s->bodies, room);
+    if (ok && room > s->bodies) TABLE_GROW(ok, s->sunk, s->bodies, room);
+    if (ok && room > s->bodies) TABLE_GROW(ok, s->fallen, 0, room);
     if (ok) s->bodies = room;
     if (particle_room > s->particles)
         TABLE_GROW(ok, s->hold, s->particles, particle_room);
@@ -564,6 +610,15 @@ static status view_all(soft_solver *s, const body *all, int bodies)
     return done;
 }
 
+// Something was set down: what is deformable may be in it.
+void soft_doubt(soft_solver *s)
+{
+    for (int n = 0; n < s->near.softs; n++) {
+        sunk_state *sunk = &s->sunk[s->near.soft[n]];
+        if (*sunk == SUNK_NOT) *sunk = SUNK_PERHAPS;
+    }
+}
+
 status soft_add(soft_solver *s, const body *all, int b, int bodies,
                 int particles)
 {
@@ -573,17 +628,21 @@ status soft_add(soft_solver *s, const body *all, int b, int bodies,
     if (!make_soft_room(s, &all[b], bodies, particles))
         return status_out_of_memory();
     s->sweeps[b] = 0;
+    s->sunk[b] = SUNK_NOT;
     for (int i = 0; i < body_particles(&all[b]); i++)
         s->hold[all[b].first + i] = (line_hold){ .state = LINE_FREE };
     if (s->near.softs == 0) done = view_all(s, all, bodies);
     else if (!is_soft)      done = rigid_view_add(&s->view, &all[b]);
-    return done.ok ? near_add(&s->near, all, b, bodies, particles) : done;
+    if (done.ok) done = near_add(&s->near, all, b, bodies, particles);
+    soft_doubt(s);
+    return done;
 }
 
 void soft_forget(soft_solver *s, int b)
 {
     near_forget(&s->near, b);
     s->view.of = -1;
+    soft_doubt(s);
 }
 
 void soft_remove(soft_solver *s, const body *all, int b)
@@ -600,6 +659,8 @@ void soft_free(soft_solver *s)
     free(s->ahead);
     free(s->held);
     free(s->sweeps);
+    free(s->sunk);
+    free(s->fallen);
     free(s->hold);
     free(s->bends);
     *s = (soft_solver){ .touching = 0 };

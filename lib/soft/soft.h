@@ -21,6 +21,9 @@ typedef struct {
     prediction *ahead;  // [bodies] how each may move in this frame
     bool *held;         // [bodies] by nails, or by what it hangs on
     int  *sweeps;       // [bodies] that strands of held cloth take at least
+    sunk_state *sunk;   // [bodies] of deformable ones
+    real *fallen;       // [bodies] kg m^2, the sum of m move^2 of a sunk one, as
+                        // this substep fell
     line_hold *hold;    // [particles] what each touches that does not move
     bend_row *bends;    // [rows] of the longest strand
     int  bodies, particles, rows;       // for so many there is room
@@ -49,6 +52,9 @@ void   soft_free(soft_solver *s);       // an empty or zeroed one is fine
 // taken away, as well.
 void soft_forget(soft_solver *s, int b);
 void soft_remove(soft_solver *s, const body *all, int b);
+
+// Something was set down that has no place in the lists: a plane.
+void soft_doubt(soft_solver *s);
 
 // A frame begins, and rigid bodies have been looked at: where are deformable
 // ones, and how may they move?  held says which hang on something.
@@ -87,6 +93,10 @@ void soft_relax(soft_solver *s, const soft_frame *f);
 // weight of all that they hang on.
 void soft_hold(soft_solver *s, const soft_frame *f);
 
+// What began in something is put out of it, and not thrown: all of it together gets
+// no faster than it fell.
+void soft_calm(const soft_solver *s, const soft_frame *f);
+
 // J, what is stored in the bends and links of a deformable body.
 real soft_energy(const body *b, const particle *all);
 
@@ -94,7 +104,7 @@ real soft_energy(const body *b, const particle *all);
 void soft_certify(soft_solver *s, const soft_frame *f);
 
 // How many deformable bodies that must not give have strands off by more than
-// a hundredth.
+// a hundredth, or are deep in what they began in.
 int soft_stretched(const soft_frame *f);
 
 #endif

@@ -74,6 +74,14 @@ static void push_particle(const soft_touch *x, particle *p, vec3 arm, vec3 push)
     motion_push(&f->velocity[x->b], basis, arm, vec3_scale(-1 / f->h, push));
 }
 
+// So much of the overlap is older than this substep, and is not what the strands
+// press.
+static void note_old(const soft_frame *f, int soft, real old, real apart)
+{
+    bool is_deep = old > CONTACT_DEEP * apart;
+    if (is_deep && f->sunk[soft] != SUNK_NOT) f->sunk[soft] = SUNK;
+}
+
 static void part_from_moving(const soft_touch *x, particle *p)
 {
     const motion_basis *basis = &x->f->now[x->b].basis;
@@ -82,6 +90,7 @@ static void part_from_moving(const soft_touch *x, particle *p)
     if (!(t.overlap > 0) || !(give > 0)) return;
     real old = t.overlap + vec3_dot(t.slide, t.normal);
     old = real_min(real_max(old, 0), t.overlap);
+    note_old(x->f, (int)(x->soft - x->f->body), old, x->apart);
     correct(x, p, t.arm, vec3_scale(old / give, t.normal));
     real load = (t.overlap - old) / give;
     push_particle(x, p, t.arm, vec3_scale(load, t.normal));
@@ -266,6 +275,8 @@ static bool touch_fixed(const soft_frame *f, int i, surface_point at,
     if (!(pressed > 0) || !(pressed < HUGE_VAL)) return false;
     if (p->inverse_mass == 0) return true;
     real came = vec3_dot(vec3_sub(p->previous, p->position), at.normal);
+    note_old(f, f->owner[i], pressed - came - 2 * pressed_into(hold, at.normal),
+             apart);
     // The load stops what came, and bears what presses: the strands, which have
     // drawn a share of that already, or a body, which has pushed it as deep.
     real load = real_max(came - vec3_dot(hold->pull, at.normal),
@@ -290,11 +301,14 @@ static bool touch_fixed(const soft_frame *f, int i, surface_point at,
 // Whatever answers at that point: *p.
 static bool push_off(const soft_touch *x, particle *p)
 {
-    if (body_is_static(&x->f->body[x->b]))
-        return surface_separate(p, x->at.at, x->at.normal, x->apart,
-                                x->friction) > 0;
-    part_from_moving(x, p);
-    return true;
+    if (!body_is_static(&x->f->body[x->b])) {
+        part_from_moving(x, p);
+        return true;
+    }
+    real was = vec3_dot(vec3_sub(p->previous, x->at.at), x->at.normal);
+    note_old(x->f, (int)(x->soft - x->f->body), x->apart - was, x->apart);
+    return surface_separate(p, x->at.at, x->at.normal, x->apart,
+                            x->friction) > 0;
 }
 
 static bool part_from(const soft_touch *x, answering who)

@@ -214,6 +214,8 @@ static void soft_store(soft_solver *x, store *s)
     STORE_ROOM(s, x->ahead, x->bodies);
     STORE_ROOM(s, x->held, x->bodies);
     STORE_TABLE(s, x->sweeps, x->bodies, x->bodies);
+    STORE_TABLE(s, x->sunk, x->bodies, x->bodies);
+    STORE_ROOM(s, x->fallen, x->bodies);
     STORE_TABLE(s, x->hold, x->particles, x->particles);
     STORE_ROOM(s, x->bends, x->rows);
 }

@@ -19,6 +19,7 @@ soft_frame soft_frame_of(world *w, real h)
         .tied = w->joints.tied, .ties = w->joints.ties,
         .plane = w->plane, .planes = w->planes, .gravity = o->gravity,
         .material = t->material, .wall = w->wall, .owner = w->owner,
+        .sunk = w->soft.sunk,
         .iterations = o->iterations, .certified = o->certified,
         .relax = o->relax, .substeps = o->substeps,
         .stiff_substeps = world_usual(w, true),
@@ -98,6 +99,7 @@ void soft_step(world *w, real h)
     soft_hold(&w->soft, &f);
     pins_end(&w->joints, &f);
     if (f.certified && certificate_is_due(&w->soft.proof, &f)) soft_prove(w);
+    soft_calm(&w->soft, &f);
     ledger_book(w, LEDGER_CONTACTS);
 }
 
@@ -105,6 +107,7 @@ void soft_prove(world *w)
 {
     soft_frame f = soft_frame_of(w, w->age);
     soft_certify(&w->soft, &f);
+    soft_calm(&w->soft, &f);
     w->report.prevented += w->soft.proof.prevented;
     w->report.crossed = int_max(w->report.crossed, w->soft.proof.left_out);
 }

@@ -124,6 +124,7 @@ static void set_plane(world *w, int k, plane p)
     w->wall[k] = material_of(w);
     w->rigid.is_weighed = false;
     pair_list_renew(&w->rigid.pairs, -1);
+    soft_doubt(&w->soft);
     for (int b = 0; b < w->bodies; b++) world_wake(w, b);
 }
 

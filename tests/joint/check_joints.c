@@ -9,6 +9,7 @@
 #include "handle.h"
 #include "join.h"
 #include "ledger.h"
+#include "measure.h"
 #include "stage.h"
 #include "step.h"
 #include "suite.h"
@@ -480,6 +481,24 @@ START_TEST(distance_is_a_rope_between_least_and_most)
     }
     near(highest, -0.5, 1e-3, "the highest height");
     ck_assert(centre(b).y < -0.6);
+}
+END_TEST
+
+// A box whose corner stands 1 m from a point of the world, and is to be half a metre
+// from it.  There is no gravity.
+// Rejects: a pull whose way is kept as speed: 155 J, and a spin of 29 rad/s.
+START_TEST(what_hangs_too_far_comes_without_speed)
+{
+    begin_awake(0, 4);
+    int b = add_at(box_of(0, vec3_make(0.5, 0.5, 0.5), 8), 1.05, -0.6, 0.1);
+    int j = join((joint_plan){ .kind = JOINT_DISTANCE, .a = -1, .b = b,
+                               .point_b = vec3_make(0.8, -0.6, 0.1),
+                               .least = 0.5, .most = 0.5 });
+    for (int k = 0; k < 120; k++) {
+        world_step(&w);
+        near(world_measure(&w).kinetic, 0, 0.1, "energy, J");
+    }
+    near(world_joint_gap(&w, j), 0.5, 1e-6, "length");
 }
 END_TEST
 
@@ -996,6 +1015,7 @@ int main(void)
         hinge_turns_about_its_axis_alone,
         fixed_beam_hardly_sags,
         distance_is_a_rope_between_least_and_most,
+        what_hangs_too_far_comes_without_speed,
         rod_keeps_its_length,
         ragdolls_on_a_stair_hold_to_a_fifth_of_a_millimetre,
         joined_bodies_touch_if_asked_only,

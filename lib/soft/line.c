@@ -16,14 +16,13 @@
 #include <string.h>
 
 // So many lines are solved side by side.  Their numbers lie next to each other,
-// so that one instruction works on two, four or eight of them.  The last lines
-// of a cloth take half as many lanes where these are enough; a rope, which is
-// alone, takes one.
-enum { LANES = 8, HALF = LANES / 2 };
+// so that one instruction works on two, four or eight of them.  A rope, which is
+// alone, takes one lane.
+enum { LANES = 8 };
 
-static int lanes_for(int lines, int first)
+static int lanes_for(strands s)
 {
-    return lines < LANES ? 1 : lines - first <= HALF ? HALF : LANES;
+    return s.lines < LANES ? 1 : LANES;
 }
 
 // Of the block that line number `line` is solved in.
@@ -358,38 +357,27 @@ ALWAYS_INLINE void eliminate_rows(const real *restrict at, const real *restrict 
     }
 }
 
-// The commonest by far where something is held, in a function of its own: there
-// a compiler knows that these pointers lead to different things.
-NEVER_INLINE void eliminate_held(const real *restrict at,
-                                 const real *restrict hold, int apart,
-                                 int pitch, real *restrict before, int lanes,
-                                 real rest2, real half, tally *restrict t)
+// Row k of eight, whatever holds and gives: a loop for each, so that none chooses.
+// A compiler must assume that two pointers may point to the same thing; `restrict`
+// says that they do not, and is surely heard in a function of its own.
+NEVER_INLINE void eliminate_eight(const real *restrict at, const real *restrict hold,
+                                  int apart, int pitch, real *restrict before,
+                                  int held, real rest2, real half,
+                                  const real *restrict drawn, real give,
+                                  tally *restrict t)
 {
-    if (lanes == LANES)
-        eliminate_rows(at, hold, apart, pitch, before, LANES, 0, 1, 0, rest2, half,
-                       NULL, 0, t);
-    else
-        eliminate_rows(at, hold, apart, pitch, before, HALF, 0, 1, 0, rest2, half,
-                       NULL, 0, t);
-}
-
-// Those that give, likewise.
-NEVER_INLINE void eliminate_giving(const real *restrict at,
-                                   const real *restrict hold, int apart,
-                                   int pitch, real *restrict before, int lanes,
-                                   int held, real rest2, real half,
-                                   const real *restrict drawn, real give,
-                                   tally *restrict t)
-{
-    if (lanes == LANES && !held)
-        eliminate_rows(at, hold, apart, pitch, before, LANES, 0, 0, 1, rest2, half,
-                       drawn, give, t);
-    else if (lanes == LANES)
+    if (give > 0 && held)
         eliminate_rows(at, hold, apart, pitch, before, LANES, 0, 1, 1, rest2, half,
                        drawn, give, t);
+    else if (give > 0)
+        eliminate_rows(at, hold, apart, pitch, before, LANES, 0, 0, 1, rest2, half,
+                       drawn, give, t);
+    else if (held)
+        eliminate_rows(at, hold, apart, pitch, before, LANES, 0, 1, 0, rest2, half,
+                       drawn, give, t);
     else
-        eliminate_rows(at, hold, apart, pitch, before, lanes, 0, held, 1, rest2,
-                       half, drawn, give, t);
+        eliminate_rows(at, hold, apart, pitch, before, LANES, 0, 0, 0, rest2, half,
+                       drawn, give, t);
 }
 //<
 
@@ -431,21 +419,17 @@ ALWAYS_INLINE void substitute(real *restrict x, real *restrict y,
     }
 }
 
-// As above: in a function of its own.
-NEVER_INLINE void substitute_held(real *restrict x, real *restrict y,
-                                  real *restrict z,
-                                  const real *restrict weight,
-                                  const real *restrict hold, int apart,
-                                  real *restrict here,
-                                  const real *restrict after, int lanes,
-                                  real *restrict pull, real *restrict far)
+// As above.
+NEVER_INLINE void substitute_eight(real *restrict x, real *restrict y,
+                                   real *restrict z, const real *restrict weight,
+                                   const real *restrict hold, int apart,
+                                   real *restrict here, const real *restrict after,
+                                   int held, real *restrict pull, real *restrict far)
 {
-    if (lanes == LANES)
-        substitute(x, y, z, weight, hold, apart, here, after, LANES, 0, 1,
-                   pull, far);
+    if (held)
+        substitute(x, y, z, weight, hold, apart, here, after, LANES, 0, 1, pull, far);
     else
-        substitute(x, y, z, weight, hold, apart, here, after, HALF, 0, 1,
-                   pull, far);
+        substitute(x, y, z, weight, hold, apart, here, after, LANES, 0, 0, pull, far);
 }
 //<
 
@@ -457,7 +441,7 @@ typedef struct {
     strands s;
     const line_scratch *scratch;
     real more;                  // what is asked for, in what is wrong
-    int  lanes;                 // 1, HALF or LANES
+    int  lanes;                 // 1 or LANES
     int  start;                 // where in the body the line of lane 0 begins
     int  from;                  // lanes before this one are not looked at
     int  old;                   // 1: along the old links; of one lane
@@ -486,7 +470,7 @@ static inline real *row_at(const line_block *b, int k)
 // Along the old links each line is judged for itself, so each is a block.
 static void block_begin(line_block *b, int first)
 {
-    b->lanes = b->old ? 1 : lanes_for(b->s.lines, first);
+    b->lanes = b->old ? 1 : lanes_for(b->s);
     int begin = int_min(first, b->s.lines - b->lanes);
     b->start = begin * b->s.across;
     b->from = first - begin;
@@ -540,9 +524,8 @@ ALWAYS_INLINE void copy_lanes(const line_block *b, int lanes, places to, places 
 
 static void block_copy(const line_block *b, places to, places from)
 {
-    if (b->lanes == LANES)     copy_lanes(b, LANES, to, from);
-    else if (b->lanes == HALF) copy_lanes(b, HALF, to, from);
-    else                       copy_lanes(b, 1, to, from);
+    if (b->lanes == LANES) copy_lanes(b, LANES, to, from);
+    else                   copy_lanes(b, 1, to, from);
 }
 
 static void block_fetch(line_block *b)
@@ -595,39 +578,31 @@ static void block_store(const line_block *b, const int *solved)
 //<
 
 //> line-sweeps
-//>   A compiler must assume that two pointers may point to the same thing.
-//>   `restrict` says that they do not.
-// What these loops count stands in variables of their own, to which no pointer
-// leads: else a compiler would have to load and store them in every row.
-ALWAYS_INLINE void eliminate_lines(line_block *b, int lanes, int old)
+//>   The walk down, and the walk up.
+static void block_eliminate(line_block *b)
 {
     tally t = { .worst = { 0 } };
-    const real *at = b->at.x, *hold = b->hold.x;
-    int apart = (int)(b->at.y - b->at.x);
+    const real *at = b->at.x, *hold = b->hold.x, *drawn = b->drawn;
+    int apart = (int)(b->at.y - b->at.x), pitch = b->pitch, lanes = b->lanes;
     real *row = row_at(b, -1), rest2 = b->s.rest_length * b->s.rest_length;
     real half = b->more / 2;
-    const char *held = b->held;
-    int pitch = b->pitch;
     for (int k = 1; k < b->s.particles; k++) {
-        bool is_held = held && (held[k - 1] | held[k]);
-        if (!old && b->give > 0)
-            eliminate_giving(at, hold, apart, pitch, row, lanes, is_held,
-                             rest2, half, b->drawn + (k - 1) * lanes,
-                             b->give, &t);
-        else if (is_held && lanes > 1)
-            eliminate_held(at, hold, apart, pitch, row, lanes, rest2, half,
-                           &t);
-        else if (is_held)
-            eliminate_rows(at, hold, apart, pitch, row, lanes, old, 1, 0, rest2,
-                           half, NULL, 0, &t);
+        bool is_held = b->held && (b->held[k - 1] | b->held[k]);
+        if (b->old)
+            eliminate_rows(at, hold, apart, pitch, row, 1, 1, is_held, 0, rest2, half,
+                           NULL, 0, &t);
+        else if (lanes == 1)
+            eliminate_rows(at, hold, apart, pitch, row, 1, 0, is_held, b->give > 0,
+                           rest2, half, drawn, b->give, &t);
         else
-            eliminate_rows(at, hold, apart, pitch, row, lanes, old, 0, 0, rest2,
-                           half, NULL, 0, &t);
+            eliminate_eight(at, hold, apart, pitch, row, is_held, rest2, half, drawn,
+                            b->give, &t);
         row += FIELDS * lanes;
         at += pitch;
         hold += pitch;
+        if (drawn) drawn += lanes;
     }
-    for (int l = 0; l < lanes; l++) {
+    for (int l = 0; l < b->lanes; l++) {
         t.worst[l] /= 2;
         t.sum[l] /= 2;
         t.far[l] *= b->scratch->lightest;
@@ -636,46 +611,27 @@ ALWAYS_INLINE void eliminate_lines(line_block *b, int lanes, int old)
 }
 
 // The last pair has no link above it: it moves particle 0.
-ALWAYS_INLINE void substitute_lines(line_block *b, int lanes, int old)
-{
-    real pull[3 * LANES] = { 0 }, far[LANES] = { 0 };
-    int pitch = b->pitch, apart = (int)(b->hold.y - b->hold.x);
-    for (int k = b->s.particles - 1; k >= 0; k--) {
-        places at = places_from(b->at, k * pitch);
-        const real *hold = b->hold.x + k * pitch;
-        real *row = b->scratch->link + k * FIELDS * lanes;
-        real *after = row + FIELDS * lanes;
-        bool is_held = b->held && b->held[k];
-        if (is_held && lanes > 1)
-            substitute_held(at.x, at.y, at.z, at.weight, hold, apart, row,
-                            after, lanes, pull, far);
-        else if (is_held)
-            substitute(at.x, at.y, at.z, at.weight, hold, apart, row, after,
-                       lanes, old, 1, pull, far);
-        else
-            substitute(at.x, at.y, at.z, at.weight, hold, apart, row, after,
-                       lanes, old, 0, pull, far);
-    }
-    for (int l = 0; l < lanes && old; l++) b->t.far[l] = 0;
-    for (int l = 0; l < lanes; l++) b->t.far[l] += far[l];
-}
-
-// One loop for each number of lanes and each gradient, so that no loop chooses
-// and the compiler knows how many numbers lie side by side.
-static void block_eliminate(line_block *b)
-{
-    if (b->lanes == LANES)     eliminate_lines(b, LANES, 0);
-    else if (b->lanes == HALF) eliminate_lines(b, HALF, 0);
-    else if (b->old)           eliminate_lines(b, 1, 1);
-    else                       eliminate_lines(b, 1, 0);
-}
-
 static void block_substitute(line_block *b)
 {
-    if (b->lanes == LANES)     substitute_lines(b, LANES, 0);
-    else if (b->lanes == HALF) substitute_lines(b, HALF, 0);
-    else if (b->old)           substitute_lines(b, 1, 1);
-    else                       substitute_lines(b, 1, 0);
+    real pull[3 * LANES] = { 0 }, far[LANES] = { 0 };
+    int apart = (int)(b->hold.y - b->hold.x), pitch = b->pitch;
+    for (int k = b->s.particles - 1; k >= 0; k--) {
+        places at = places_from(b->at, k * pitch);
+        bool is_held = b->held && b->held[k];
+        const real *hold = b->hold.x + k * pitch;
+        real *here = row_at(b, k - 1), *after = row_at(b, k);
+        if (b->old)
+            substitute(at.x, at.y, at.z, at.weight, hold, apart, here, after, 1, 1,
+                       is_held, pull, far);
+        else if (b->lanes == 1)
+            substitute(at.x, at.y, at.z, at.weight, hold, apart, here, after, 1, 0,
+                       is_held, pull, far);
+        else
+            substitute_eight(at.x, at.y, at.z, at.weight, hold, apart, here, after,
+                             is_held, pull, far);
+    }
+    for (int l = 0; l < b->lanes && b->old; l++) b->t.far[l] = 0;
+    for (int l = 0; l < b->lanes; l++) b->t.far[l] += far[l];
 }
 //<
 
@@ -861,7 +817,7 @@ static real block_worst(const line_block *b, real enough)
     int steps = is_across ? links : b->lanes;
     real rest2 = s.rest_length * s.rest_length;
     real worst[LANES] = { 0 }, sum[LANES] = { 0 };
-    if (side < (is_across ? HALF : LANES)) return HUGE_VAL;
+    if (side < LANES) return HUGE_VAL;
     for (int k = 0; k < steps; k++) {
         if (k % PEEK == 1 && largest(worst) > enough) return HUGE_VAL;
         for (int q = 0; q < side; q += LANES) {
@@ -984,9 +940,8 @@ static void mark(const shape *s, line_scratch *scratch, int i)
         strands x = shape_strands(s, d);
         int line = i / x.across % x.lines, k = i / x.along % x.particles;
         int last = block_number(x, x.lines - 1);
-        int lanes = lanes_for(x.lines, last * LANES);
         scratch->held[d][block_number(x, line) * x.particles + k] = 1;
-        if (line >= x.lines - lanes)
+        if (line >= x.lines - lanes_for(x))
             scratch->held[d][last * x.particles + k] = 1;
     }
     scratch->is_held = true;
@@ -1087,7 +1042,7 @@ static real *drawn_of(const line_scratch *scratch, strands x, int d, int line,
                       int *lanes)
 {
     int first = x.lines < LANES ? line : line / LANES * LANES;
-    *lanes = lanes_for(x.lines, first);
+    *lanes = lanes_for(x);
     int begin = int_min(first, x.lines - *lanes);
     return scratch->drawn[d] + first * x.particles + line - begin;
 }

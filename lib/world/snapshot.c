@@ -202,8 +202,6 @@ static void certificate_store(certificate *c, store *s)
     STORE_ROOM(s, c->box, 2 * c->particles);
     STORE_ROOM(s, c->clash, c->particles);
     STORE_ROOM(s, c->beside, c->particles);
-    STORE_FORGET(s, c->read);
-    STORE_FORGET(s, c->to);
 }
 
 static void soft_store(soft_solver *x, store *s)

@@ -18,7 +18,6 @@ rigid_frame soft_rigid_frame(const soft_frame *f, int b)
 typedef struct {
     aabb box;           // m
     real longest;       // m^2
-    real fastest;       // m^2, the longest of the last substep
 } moves_box;
 
 static inline real longer(real a, vec3 d)
@@ -28,23 +27,18 @@ static inline real longer(real a, vec3 d)
     return b > a || b != b ? b : a;
 }
 
-// d: since the listing; u: in the last substep.
-static inline void add_move(moves_box *m, vec3 d, vec3 u)
+static inline void add_move(moves_box *m, vec3 d)
 {
     m->box = aabb_join((aabb){ d, d }, m->box);
     m->longest = longer(m->longest, d);
-    m->fastest = longer(m->fastest, u);
 }
 
 static void add_soft_moves(moves_box *to, const near_lists *l, const soft_frame *f,
                            const body *b)
 {
     moves_box m = *to;
-    for (int i = b->first; i < b->first + b->shape->particles; i++) {
-        const particle *p = &f->particle[i];
-        add_move(&m, vec3_sub(p->position, l->listed[i]),
-                 vec3_sub(p->position, p->previous));
-    }
+    for (int i = b->first; i < b->first + b->shape->particles; i++)
+        add_move(&m, vec3_sub(f->particle[i].position, l->listed[i]));
     *to = m;
 }
 
@@ -54,31 +48,18 @@ static void add_rigid_moves(moves_box *m, const near_lists *l, const soft_frame 
                             int b)
 {
     rigid_frame frame = soft_rigid_frame(f, b);
-    int of = body_whole(&f->body[b], b);
     for (int k = 0; k < FOUR; k++) {
-        vec3 arm = frame_arm(&frame, k), at = vec3_add(frame.center, arm);
-        vec3 d = vec3_sub(at, l->listed[f->body[b].first + k]);
-        vec3 u = motion_at(&f->now[of].basis, &f->velocity[of], arm);
-        add_move(m, vec3_scale(2, d), vec3_scale(2 * f->h, u));
+        vec3 at = vec3_add(frame.center, frame_arm(&frame, k));
+        add_move(m, vec3_scale(2, vec3_sub(at, l->listed[f->body[b].first + k])));
     }
 }
 
-// Two whose moves differ by the margin may have closed it.  Before that the
-// lists are good; and for as many substeps more as it would take if any two
-// went against each other, at twice the speed of the fastest, but at most 8,
-// for speeds change.
-static const real FASTER = 2;               // tuned, 1
-
+// Two whose moves differ by the margin may have closed it.
 static bool lists_are_good(near_lists *l, const soft_frame *f)
 {
-    if (l->trusted < 0) return false;
-    // They counted on the pace that was.
-    if (f->age != f->h) l->trusted = 0;
+    // What was clear counted on the pace that was.
     l->substeps += f->age != f->h ? TRUST_MOST : 1;
-    if (l->trusted > 0) {
-        l->trusted--;
-        return true;
-    }
+    if (l->is_stale) return false;
     // What stands still has moved by nothing, and that is in the box, too.
     moves_box m = { .longest = 0 };
     for (int k = 0; k < l->candidates; k++) {
@@ -88,12 +69,7 @@ static bool lists_are_good(near_lists *l, const soft_frame *f)
         else                           add_rigid_moves(&m, l, f, b);
     }
     real apart = vec3_distance(m.box.low, m.box.high), both = 2 * sqrt(m.longest);
-    real left = l->margin - (apart < both ? apart : both);
-    real pace = 2 * FASTER * sqrt(m.fastest);
-    if (!(left > 0)) return false;
-    l->trusted = left >= TRUST_MOST * pace ? TRUST_MOST
-               : left > pace ? (int)(left / pace) : 0;
-    return true;
+    return (apart < both ? apart : both) < l->margin;
 }
 //<
 
@@ -435,7 +411,8 @@ void near_refresh(near_lists *l, rigid_view *v, const soft_frame *f)
     l->facet = (facet_list){ .at = l->facets_before.at };
     l->facets_before = last;
     l->facets_before.next = 0;
-    l->pairs = l->points = l->trusted = 0;
+    l->pairs = l->points = 0;
+    l->is_stale = false;
     l->substeps = 0;
     l->made++;
     const int *c = l->candidate;
@@ -464,8 +441,10 @@ static bool is_far(const aabb *x, sphere ball, real reach)
     return aabb_distance_squared(x, ball.center) > apart * apart;
 }
 
-// Two bodies that are further apart than this (m) cannot be near in the frame, if
-// nothing gets faster than twice the fastest.
+// Nothing gets faster in a frame than so many times the fastest, as it begins.
+static const real FASTER = 2;               // tuned, 1
+
+// Two bodies that are further apart than this (m) cannot be near in the frame.
 static real frame_reach(const near_lists *l, const soft_frame *f,
                         const prediction *ahead)
 {
@@ -502,7 +481,7 @@ static void choose_candidates(near_lists *l, const soft_frame *f,
     for (int k = 0; k < l->candidates; k++)
         missing -= l->is_near[l->candidate[k]];
     if (missing == 0) return;
-    l->trusted = -1;
+    l->is_stale = true;
     l->candidates = 0;
     for (int b = 0; b < f->bodies; b++)
         if (l->is_near[b]) l->candidate[l->candidates++] = b;
@@ -630,7 +609,7 @@ status near_add(near_lists *l, const body *all, int b, int bodies,
 {
     const body *x = &all[b];
     if (l->softs == 0) l->margin = HUGE_VAL;
-    l->trusted = -1;
+    l->is_stale = true;
     if (!make_near_room(l, bodies, particles)) return status_out_of_memory();
     if (!body_is_soft(x)) return status_ok();
     int n = x->shape->particles;
@@ -657,7 +636,7 @@ void near_free(near_lists *l)
                       l->facet.at, l->facets_before.at };
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) free(owned[i]);
     grid_free(&l->grid);
-    *l = (near_lists){ .trusted = -1 };
+    *l = (near_lists){ .is_stale = true };
 }
 
 status rigid_view_add(rigid_view *v, const body *b)
@@ -698,7 +677,7 @@ void near_forget(near_lists *l, int b)
 {
     forget_facets(&l->facet, b);
     l->pairs = l->points = l->mets = 0;
-    l->trusted = -1;
+    l->is_stale = true;
 }
 
 void near_remove(near_lists *l, const body *all, int b)

@@ -129,8 +129,7 @@ typedef struct {
     int  substeps;      // since the lists were made
     int *ahead;         // [particles] while facets are listed, see near.c
     real margin;        // m, how much further than touching the lists look
-    int  trusted;       // they are good for as many substeps more; -1: there
-                        // are none yet
+    bool is_stale;      // they must be made again, or there are none yet
     vec3 *at;           // [particles] for trees and grid
     vec3 *listed;       // [particles] when the lists were made
     sphere_tree *tree;  // [bodies] of deformable ones

@@ -38,7 +38,7 @@ static void forget_ties(world *w)
         if (t->pins > 0 || !soft_is_clear(&w->soft, &f, t->soft, t->rigid))
             continue;
         linkage_untie(&w->joints, k);
-        w->soft.near.trusted = -1;
+        w->soft.near.is_stale = true;
     }
 }
 

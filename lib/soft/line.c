@@ -929,9 +929,8 @@ real shape_width(const shape *s, int direction)
 //<
 
 //> line-hold
-//>   What is held is marked before the first iteration. A particle that slides,
-//>   and whose neighbours all touch the same plane, is left free, because no
-//>   link draws it down. Afterwards the pulls are read off the moves.
+//>   What is held is marked before the first iteration. Afterwards the pulls are
+//>   read off the moves.
 // Marks particle i in its blocks.  The last one may share lines with the one
 // before it.
 static void mark(const shape *s, line_scratch *scratch, int i)
@@ -945,26 +944,6 @@ static void mark(const shape *s, line_scratch *scratch, int i)
             scratch->held[d][last * x.particles + k] = 1;
     }
     scratch->is_held = true;
-}
-
-static bool is_on_same_side(const line_hold *a, const line_hold *b)
-{
-    return b->state != LINE_FREE
-        && vec3_dot(a->normal, b->normal) > 1 - LINE_NOTHING;
-}
-
-// Where all neighbours touch the same plane, no link draws a particle into it.
-static bool lies_flat(const shape *s, const line_hold *hold, int i)
-{
-    bool is_flat = true;
-    for (int d = 0; d < shape_directions(s) && is_flat; d++) {
-        strands x = shape_strands(s, d);
-        int k = i / x.along % x.particles;
-        if (k > 0) is_flat = is_on_same_side(&hold[i], &hold[i - x.along]);
-        if (k + 1 < x.particles && is_flat)
-            is_flat = is_on_same_side(&hold[i], &hold[i + x.along]);
-    }
-    return is_flat;
 }
 
 // m.  What friction holds the strands draw by a share all the same.  It is taken back
@@ -985,7 +964,7 @@ static void hold_begin(const shape *s, line_scratch *scratch,
         *weight *= share;
         place_set(scratch->now, i, vec3_sub(place_get(scratch->now, i),
                                             taken_back(&hold[i])));
-        if (!(more > 0) || lies_flat(s, hold, i)) continue;
+        if (!(more > 0)) continue;
         place_set(scratch->hold, i, vec3_scale(sqrt(more), hold[i].normal));
         mark(s, scratch, i);
     }

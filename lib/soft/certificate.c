@@ -769,19 +769,13 @@ static void check_kept(const frame_search *l)
     else                move_up(c, n);
 }
 
-static bool is_all_kept(const frame_search *l)
-{
-    const certificate *c = l->c;
-    return c->keeps > 0 && c->keeps <= c->room;
-}
-
 // Is what is kept about what is asked for, and not worn to pieces?
 static bool may_check_kept(const frame_search *l)
 {
     const certificate *c = l->c;
     const int *soft = l->f->soft;
     int k = 0;
-    if (!is_all_kept(l) || c->keeps > 2 * c->made) return false;
+    if (!(c->keeps > 0 && c->keeps <= int_min(c->room, 2 * c->made))) return false;
     for (int n = 0; n < l->f->softs; n++)
         for (int m = 0; m <= n; m++) {
             int a = soft[m], b = soft[n];

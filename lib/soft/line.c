@@ -495,17 +495,11 @@ static int fits_in_place(const line_block *b)
     return !b->old && b->from == 0 && (b->lanes == 1 || b->s.across == 1);
 }
 
-// One particle of all lanes, and back.
+// One particle of all lanes.
 ALWAYS_INLINE void lanes_in(real *restrict to, const real *restrict from,
                             int across, int lanes)
 {
     for (int l = 0; l < lanes; l++) to[l] = from[l * across];
-}
-
-ALWAYS_INLINE void lanes_out(real *restrict to, const real *restrict from,
-                             int across, int lanes)
-{
-    for (int l = 0; l < lanes; l++) to[l * across] = from[l];
 }
 
 ALWAYS_INLINE void copy_lanes(const line_block *b, int lanes, places to, places from)
@@ -560,20 +554,11 @@ static void block_load(line_block *b)
 // The lanes that are solved go where they came from.
 static void block_store(const line_block *b, const int *solved)
 {
-    int lanes = b->lanes, all = lanes > 1;
     if (b->in_place) return;
-    for (int l = 0; l < lanes; l++) all &= solved[l];
-    for (int k = 0; k < b->s.particles; k++) {
-        places from = places_from(b->at, k * lanes);
-        places to = places_from(b->scratch->now, b->start + k * b->s.along);
-        for (int l = 0; l < lanes && !all; l++)
-            if (solved[l])
-                place_set(to, l * b->s.across, place_get(from, l));
-        if (!all) continue;
-        lanes_out(to.x, from.x, b->s.across, lanes);
-        lanes_out(to.y, from.y, b->s.across, lanes);
-        lanes_out(to.z, from.z, b->s.across, lanes);
-    }
+    for (int l = 0; l < b->lanes; l++)
+        for (int k = 0; k < b->s.particles && solved[l]; k++)
+            place_set(b->scratch->now, b->start + k * b->s.along + l * b->s.across,
+                      place_get(b->at, k * b->lanes + l));
 }
 //<
 
@@ -686,30 +671,16 @@ static void hold_back(line_block *b, int l)
 
 // What the links have pulled is remembered: it is that which stretches them, and
 // makes them strings.
-ALWAYS_INLINE void add_pulls(const real *restrict row, int links,
-                             real *restrict drawn, const real *restrict done,
-                             int lanes)
-{
-    for (int k = 0; k < links; k++) {
-        for (int l = 0; l < lanes; l++) {
-            vec3 link = lane_get(row, PUSH, lanes, l);
-            real pull = row[SOLVED * lanes + l] * vec3_length(link);
-            drawn[l] += done[l] > 0 ? pull : 0;
-        }
-        row += FIELDS * lanes;
-        drawn += lanes;
-    }
-}
-
 static void remember_pulls(const line_block *b, const int *solved)
 {
-    int links = b->s.particles - 1;
-    real done[LANES];
-    for (int l = 0; l < b->lanes; l++) done[l] = solved[l];
-    if (b->lanes == LANES)
-        add_pulls(row_at(b, 0), links, b->drawn, done, LANES);
-    else
-        add_pulls(row_at(b, 0), links, b->drawn, done, b->lanes);
+    real *drawn = b->drawn;
+    for (int k = 0; k + 1 < b->s.particles; k++)
+        for (int l = 0; l < b->lanes; l++, drawn++) {
+            const real *row = row_at(b, k);
+            vec3 link = lane_get(row, PUSH, b->lanes, l);
+            real pull = row[SOLVED * b->lanes + l] * vec3_length(link);
+            if (solved[l]) *drawn += pull;
+        }
 }
 //<
 
@@ -796,20 +767,9 @@ static inline void measure_links(places at, int pitch, real rest2,
     }
 }
 
-static inline real largest(const real of[LANES])
-{
-    real most = of[0];
-    for (int l = 1; l < LANES; l++) most = of[l] > most ? of[l] : most;
-    return most;
-}
-
-// One look in so many asks whether what was seen is too much already.
-enum { PEEK = 4 };                          // tuned, links
-
-// m^2, the largest |now - rest^2| of a block of lines; HUGE_VAL for NaN,
-// and where it is more than enough.  Columns or rows, one of the two lies side by
-// side in the body.
-static real block_worst(const line_block *b, real enough)
+// m^2, the largest |now - rest^2| of a block of lines; HUGE_VAL for NaN.  Columns or
+// rows, one of the two lies side by side in the body.
+static real block_worst(const line_block *b)
 {
     strands s = b->s;
     bool is_across = s.across == 1;
@@ -818,25 +778,24 @@ static real block_worst(const line_block *b, real enough)
     real rest2 = s.rest_length * s.rest_length;
     real worst[LANES] = { 0 }, sum[LANES] = { 0 };
     if (side < LANES) return HUGE_VAL;
-    for (int k = 0; k < steps; k++) {
-        if (k % PEEK == 1 && largest(worst) > enough) return HUGE_VAL;
+    for (int k = 0; k < steps; k++)
         for (int q = 0; q < side; q += LANES) {
             int i = (q < side - LANES ? q : side - LANES)
                   + k * (is_across ? s.along : s.across);
             measure_links(places_from(b->scratch->now, b->start + i), s.along,
                           rest2, worst, sum);
         }
-    }
+    real most = 0;
     for (int l = 0; l < LANES; l++)
-        if (!(sum[l] < HUGE_VAL)) return HUGE_VAL;
-    return largest(worst);
+        most = real_max(most, sum[l] < HUGE_VAL ? worst[l] : HUGE_VAL);
+    return most;
 }
 
 static bool is_good(const line_block *b, real tolerance, line_result *r)
 {
     real rest2 = b->s.rest_length * b->s.rest_length;
-    real enough = 2 * tolerance * rest2, worst = block_worst(b, enough);
-    if (!(worst <= enough)) return false;
+    real worst = block_worst(b);
+    if (!(worst <= 2 * tolerance * rest2)) return false;
     r->worst = fmax(r->worst, worst / (2 * rest2));
     return true;
 }

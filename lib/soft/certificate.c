@@ -18,7 +18,6 @@ typedef struct {
     const soft_frame *f;
     const cell_range *in;       // NULL, or nothing else is looked at
     int from;                   // the end that is asked first
-    bool tells;                 // its witnesses are read as they are found
 } frame_search;
 
 static int cells_in(cell_range r)
@@ -195,19 +194,9 @@ static cell_range range_around(cell_range a, cell_range b)
                          int_max(a.bottom, b.bottom) };
 }
 
-static void report_witness(const certificate *c, witness w)
-{
-    cell_range *r = &w.set[0].part.cells;
-    if (w.kind == WITNESS_ASKED) return;
-    if (w.kind == WITNESS_WINDOW) w.kind = WITNESS_SPREAD;
-    if (w.kind == WITNESS_SPREAD) *r = range_around(*r, w.set[1].part.cells);
-    c->read(c->to, &w);
-}
-
 static void keep_witness(const frame_search *l, const witness *w)
 {
     certificate *c = l->c;
-    if (l->tells) report_witness(c, *w);
     if (c->keeps < c->room) c->kept[c->keeps] = *w;
     c->keeps++;
 }
@@ -780,19 +769,13 @@ static void check_kept(const frame_search *l)
     else                move_up(c, n);
 }
 
-static bool is_all_kept(const frame_search *l)
-{
-    const certificate *c = l->c;
-    return c->keeps > 0 && c->keeps <= c->room;
-}
-
 // Is what is kept about what is asked for, and not worn to pieces?
 static bool may_check_kept(const frame_search *l)
 {
     const certificate *c = l->c;
     const int *soft = l->f->soft;
     int k = 0;
-    if (!is_all_kept(l) || c->keeps > 2 * c->made) return false;
+    if (!(c->keeps > 0 && c->keeps <= int_min(c->room, 2 * c->made))) return false;
     for (int n = 0; n < l->f->softs; n++)
         for (int m = 0; m <= n; m++) {
             int a = soft[m], b = soft[n];
@@ -1089,17 +1072,6 @@ bool certificate_is_due(certificate *c, const soft_frame *f)
     return vec3_distance(ways.low, ways.high) > spacing;
 }
 
-// The reader hears all: if there was no room for them, as they are found again.
-static void report_witnesses(const frame_search *l)
-{
-    certificate *c = l->c;
-    frame_search aloud = *l;
-    aloud.tells = true;
-    if (is_all_kept(l))
-        for (int k = 0; k < c->keeps; k++) report_witness(c, c->kept[k]);
-    else search_all(&aloud);
-}
-
 // What is proved begins the next way.
 static void begin_next(certificate *c)
 {
@@ -1119,7 +1091,6 @@ void certificate_end(certificate *c, const soft_frame *f)
     copy_positions(c, f, 1);
     for (int v = 0; v < c->particles; v++) c->of[v].crossed = false;
     certify(&l);
-    if (c->read) report_witnesses(&l);
     if (c->clashes > 0) c->keeps = c->clashes = 0;
     for (int n = 0; n < f->softs && c->prevented > 0; n++) {
         const body *x = &f->body[f->soft[n]];

@@ -61,8 +61,6 @@ typedef struct {
     real slack;         // m: while no two vertices go further from each other
                         // than this, it need not be asked
 } witness;
-
-typedef void witness_reader(void *to, const witness *w);
 //<
 
 //> certificate-struct
@@ -111,9 +109,6 @@ typedef struct {
                                 // would be: 0: nothing is proved
     int room;                   // for so many: it grows with them
     int made;                   // so many there were when all were found
-    witness_reader *read;       // NULL, or is told of every witness of the
-    void *to;                   // frame that was accepted
-
     int prevented;              // clashes of the last look, before they were
                                 // parted,
     int left_out;               // and pairs that crossed when it began

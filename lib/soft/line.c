@@ -16,14 +16,13 @@
 #include <string.h>
 
 // So many lines are solved side by side.  Their numbers lie next to each other,
-// so that one instruction works on two, four or eight of them.  The last lines
-// of a cloth take half as many lanes where these are enough; a rope, which is
-// alone, takes one.
-enum { LANES = 8, HALF = LANES / 2 };
+// so that one instruction works on two, four or eight of them.  A rope, which is
+// alone, takes one lane.
+enum { LANES = 8 };
 
-static int lanes_for(int lines, int first)
+static int lanes_for(strands s)
 {
-    return lines < LANES ? 1 : lines - first <= HALF ? HALF : LANES;
+    return s.lines < LANES ? 1 : LANES;
 }
 
 // Of the block that line number `line` is solved in.
@@ -358,38 +357,27 @@ ALWAYS_INLINE void eliminate_rows(const real *restrict at, const real *restrict 
     }
 }
 
-// The commonest by far where something is held, in a function of its own: there
-// a compiler knows that these pointers lead to different things.
-NEVER_INLINE void eliminate_held(const real *restrict at,
-                                 const real *restrict hold, int apart,
-                                 int pitch, real *restrict before, int lanes,
-                                 real rest2, real half, tally *restrict t)
+// Row k of eight, whatever holds and gives: a loop for each, so that none chooses.
+// A compiler must assume that two pointers may point to the same thing; `restrict`
+// says that they do not, and is surely heard in a function of its own.
+NEVER_INLINE void eliminate_eight(const real *restrict at, const real *restrict hold,
+                                  int apart, int pitch, real *restrict before,
+                                  int held, real rest2, real half,
+                                  const real *restrict drawn, real give,
+                                  tally *restrict t)
 {
-    if (lanes == LANES)
-        eliminate_rows(at, hold, apart, pitch, before, LANES, 0, 1, 0, rest2, half,
-                       NULL, 0, t);
-    else
-        eliminate_rows(at, hold, apart, pitch, before, HALF, 0, 1, 0, rest2, half,
-                       NULL, 0, t);
-}
-
-// Those that give, likewise.
-NEVER_INLINE void eliminate_giving(const real *restrict at,
-                                   const real *restrict hold, int apart,
-                                   int pitch, real *restrict before, int lanes,
-                                   int held, real rest2, real half,
-                                   const real *restrict drawn, real give,
-                                   tally *restrict t)
-{
-    if (lanes == LANES && !held)
-        eliminate_rows(at, hold, apart, pitch, before, LANES, 0, 0, 1, rest2, half,
-                       drawn, give, t);
-    else if (lanes == LANES)
+    if (give > 0 && held)
         eliminate_rows(at, hold, apart, pitch, before, LANES, 0, 1, 1, rest2, half,
                        drawn, give, t);
+    else if (give > 0)
+        eliminate_rows(at, hold, apart, pitch, before, LANES, 0, 0, 1, rest2, half,
+                       drawn, give, t);
+    else if (held)
+        eliminate_rows(at, hold, apart, pitch, before, LANES, 0, 1, 0, rest2, half,
+                       drawn, give, t);
     else
-        eliminate_rows(at, hold, apart, pitch, before, lanes, 0, held, 1, rest2,
-                       half, drawn, give, t);
+        eliminate_rows(at, hold, apart, pitch, before, LANES, 0, 0, 0, rest2, half,
+                       drawn, give, t);
 }
 //<
 
@@ -431,21 +419,17 @@ ALWAYS_INLINE void substitute(real *restrict x, real *restrict y,
     }
 }
 
-// As above: in a function of its own.
-NEVER_INLINE void substitute_held(real *restrict x, real *restrict y,
-                                  real *restrict z,
-                                  const real *restrict weight,
-                                  const real *restrict hold, int apart,
-                                  real *restrict here,
-                                  const real *restrict after, int lanes,
-                                  real *restrict pull, real *restrict far)
+// As above.
+NEVER_INLINE void substitute_eight(real *restrict x, real *restrict y,
+                                   real *restrict z, const real *restrict weight,
+                                   const real *restrict hold, int apart,
+                                   real *restrict here, const real *restrict after,
+                                   int held, real *restrict pull, real *restrict far)
 {
-    if (lanes == LANES)
-        substitute(x, y, z, weight, hold, apart, here, after, LANES, 0, 1,
-                   pull, far);
+    if (held)
+        substitute(x, y, z, weight, hold, apart, here, after, LANES, 0, 1, pull, far);
     else
-        substitute(x, y, z, weight, hold, apart, here, after, HALF, 0, 1,
-                   pull, far);
+        substitute(x, y, z, weight, hold, apart, here, after, LANES, 0, 0, pull, far);
 }
 //<
 
@@ -457,7 +441,7 @@ typedef struct {
     strands s;
     const line_scratch *scratch;
     real more;                  // what is asked for, in what is wrong
-    int  lanes;                 // 1, HALF or LANES
+    int  lanes;                 // 1 or LANES
     int  start;                 // where in the body the line of lane 0 begins
     int  from;                  // lanes before this one are not looked at
     int  old;                   // 1: along the old links; of one lane
@@ -486,7 +470,7 @@ static inline real *row_at(const line_block *b, int k)
 // Along the old links each line is judged for itself, so each is a block.
 static void block_begin(line_block *b, int first)
 {
-    b->lanes = b->old ? 1 : lanes_for(b->s.lines, first);
+    b->lanes = b->old ? 1 : lanes_for(b->s);
     int begin = int_min(first, b->s.lines - b->lanes);
     b->start = begin * b->s.across;
     b->from = first - begin;
@@ -511,17 +495,11 @@ static int fits_in_place(const line_block *b)
     return !b->old && b->from == 0 && (b->lanes == 1 || b->s.across == 1);
 }
 
-// One particle of all lanes, and back.
+// One particle of all lanes.
 ALWAYS_INLINE void lanes_in(real *restrict to, const real *restrict from,
                             int across, int lanes)
 {
     for (int l = 0; l < lanes; l++) to[l] = from[l * across];
-}
-
-ALWAYS_INLINE void lanes_out(real *restrict to, const real *restrict from,
-                             int across, int lanes)
-{
-    for (int l = 0; l < lanes; l++) to[l * across] = from[l];
 }
 
 ALWAYS_INLINE void copy_lanes(const line_block *b, int lanes, places to, places from)
@@ -540,9 +518,8 @@ ALWAYS_INLINE void copy_lanes(const line_block *b, int lanes, places to, places 
 
 static void block_copy(const line_block *b, places to, places from)
 {
-    if (b->lanes == LANES)     copy_lanes(b, LANES, to, from);
-    else if (b->lanes == HALF) copy_lanes(b, HALF, to, from);
-    else                       copy_lanes(b, 1, to, from);
+    if (b->lanes == LANES) copy_lanes(b, LANES, to, from);
+    else                   copy_lanes(b, 1, to, from);
 }
 
 static void block_fetch(line_block *b)
@@ -577,57 +554,40 @@ static void block_load(line_block *b)
 // The lanes that are solved go where they came from.
 static void block_store(const line_block *b, const int *solved)
 {
-    int lanes = b->lanes, all = lanes > 1;
     if (b->in_place) return;
-    for (int l = 0; l < lanes; l++) all &= solved[l];
-    for (int k = 0; k < b->s.particles; k++) {
-        places from = places_from(b->at, k * lanes);
-        places to = places_from(b->scratch->now, b->start + k * b->s.along);
-        for (int l = 0; l < lanes && !all; l++)
-            if (solved[l])
-                place_set(to, l * b->s.across, place_get(from, l));
-        if (!all) continue;
-        lanes_out(to.x, from.x, b->s.across, lanes);
-        lanes_out(to.y, from.y, b->s.across, lanes);
-        lanes_out(to.z, from.z, b->s.across, lanes);
-    }
+    for (int l = 0; l < b->lanes; l++)
+        for (int k = 0; k < b->s.particles && solved[l]; k++)
+            place_set(b->scratch->now, b->start + k * b->s.along + l * b->s.across,
+                      place_get(b->at, k * b->lanes + l));
 }
 //<
 
 //> line-sweeps
-//>   A compiler must assume that two pointers may point to the same thing.
-//>   `restrict` says that they do not.
-// What these loops count stands in variables of their own, to which no pointer
-// leads: else a compiler would have to load and store them in every row.
-ALWAYS_INLINE void eliminate_lines(line_block *b, int lanes, int old)
+//>   The walk down, and the walk up.
+static void block_eliminate(line_block *b)
 {
     tally t = { .worst = { 0 } };
-    const real *at = b->at.x, *hold = b->hold.x;
-    int apart = (int)(b->at.y - b->at.x);
+    const real *at = b->at.x, *hold = b->hold.x, *drawn = b->drawn;
+    int apart = (int)(b->at.y - b->at.x), pitch = b->pitch, lanes = b->lanes;
     real *row = row_at(b, -1), rest2 = b->s.rest_length * b->s.rest_length;
     real half = b->more / 2;
-    const char *held = b->held;
-    int pitch = b->pitch;
     for (int k = 1; k < b->s.particles; k++) {
-        bool is_held = held && (held[k - 1] | held[k]);
-        if (!old && b->give > 0)
-            eliminate_giving(at, hold, apart, pitch, row, lanes, is_held,
-                             rest2, half, b->drawn + (k - 1) * lanes,
-                             b->give, &t);
-        else if (is_held && lanes > 1)
-            eliminate_held(at, hold, apart, pitch, row, lanes, rest2, half,
-                           &t);
-        else if (is_held)
-            eliminate_rows(at, hold, apart, pitch, row, lanes, old, 1, 0, rest2,
-                           half, NULL, 0, &t);
+        bool is_held = b->held && (b->held[k - 1] | b->held[k]);
+        if (b->old)
+            eliminate_rows(at, hold, apart, pitch, row, 1, 1, is_held, 0, rest2, half,
+                           NULL, 0, &t);
+        else if (lanes == 1)
+            eliminate_rows(at, hold, apart, pitch, row, 1, 0, is_held, b->give > 0,
+                           rest2, half, drawn, b->give, &t);
         else
-            eliminate_rows(at, hold, apart, pitch, row, lanes, old, 0, 0, rest2,
-                           half, NULL, 0, &t);
+            eliminate_eight(at, hold, apart, pitch, row, is_held, rest2, half, drawn,
+                            b->give, &t);
         row += FIELDS * lanes;
         at += pitch;
         hold += pitch;
+        if (drawn) drawn += lanes;
     }
-    for (int l = 0; l < lanes; l++) {
+    for (int l = 0; l < b->lanes; l++) {
         t.worst[l] /= 2;
         t.sum[l] /= 2;
         t.far[l] *= b->scratch->lightest;
@@ -636,46 +596,27 @@ ALWAYS_INLINE void eliminate_lines(line_block *b, int lanes, int old)
 }
 
 // The last pair has no link above it: it moves particle 0.
-ALWAYS_INLINE void substitute_lines(line_block *b, int lanes, int old)
-{
-    real pull[3 * LANES] = { 0 }, far[LANES] = { 0 };
-    int pitch = b->pitch, apart = (int)(b->hold.y - b->hold.x);
-    for (int k = b->s.particles - 1; k >= 0; k--) {
-        places at = places_from(b->at, k * pitch);
-        const real *hold = b->hold.x + k * pitch;
-        real *row = b->scratch->link + k * FIELDS * lanes;
-        real *after = row + FIELDS * lanes;
-        bool is_held = b->held && b->held[k];
-        if (is_held && lanes > 1)
-            substitute_held(at.x, at.y, at.z, at.weight, hold, apart, row,
-                            after, lanes, pull, far);
-        else if (is_held)
-            substitute(at.x, at.y, at.z, at.weight, hold, apart, row, after,
-                       lanes, old, 1, pull, far);
-        else
-            substitute(at.x, at.y, at.z, at.weight, hold, apart, row, after,
-                       lanes, old, 0, pull, far);
-    }
-    for (int l = 0; l < lanes && old; l++) b->t.far[l] = 0;
-    for (int l = 0; l < lanes; l++) b->t.far[l] += far[l];
-}
-
-// One loop for each number of lanes and each gradient, so that no loop chooses
-// and the compiler knows how many numbers lie side by side.
-static void block_eliminate(line_block *b)
-{
-    if (b->lanes == LANES)     eliminate_lines(b, LANES, 0);
-    else if (b->lanes == HALF) eliminate_lines(b, HALF, 0);
-    else if (b->old)           eliminate_lines(b, 1, 1);
-    else                       eliminate_lines(b, 1, 0);
-}
-
 static void block_substitute(line_block *b)
 {
-    if (b->lanes == LANES)     substitute_lines(b, LANES, 0);
-    else if (b->lanes == HALF) substitute_lines(b, HALF, 0);
-    else if (b->old)           substitute_lines(b, 1, 1);
-    else                       substitute_lines(b, 1, 0);
+    real pull[3 * LANES] = { 0 }, far[LANES] = { 0 };
+    int apart = (int)(b->hold.y - b->hold.x), pitch = b->pitch;
+    for (int k = b->s.particles - 1; k >= 0; k--) {
+        places at = places_from(b->at, k * pitch);
+        bool is_held = b->held && b->held[k];
+        const real *hold = b->hold.x + k * pitch;
+        real *here = row_at(b, k - 1), *after = row_at(b, k);
+        if (b->old)
+            substitute(at.x, at.y, at.z, at.weight, hold, apart, here, after, 1, 1,
+                       is_held, pull, far);
+        else if (b->lanes == 1)
+            substitute(at.x, at.y, at.z, at.weight, hold, apart, here, after, 1, 0,
+                       is_held, pull, far);
+        else
+            substitute_eight(at.x, at.y, at.z, at.weight, hold, apart, here, after,
+                             is_held, pull, far);
+    }
+    for (int l = 0; l < b->lanes && b->old; l++) b->t.far[l] = 0;
+    for (int l = 0; l < b->lanes; l++) b->t.far[l] += far[l];
 }
 //<
 
@@ -730,30 +671,16 @@ static void hold_back(line_block *b, int l)
 
 // What the links have pulled is remembered: it is that which stretches them, and
 // makes them strings.
-ALWAYS_INLINE void add_pulls(const real *restrict row, int links,
-                             real *restrict drawn, const real *restrict done,
-                             int lanes)
-{
-    for (int k = 0; k < links; k++) {
-        for (int l = 0; l < lanes; l++) {
-            vec3 link = lane_get(row, PUSH, lanes, l);
-            real pull = row[SOLVED * lanes + l] * vec3_length(link);
-            drawn[l] += done[l] > 0 ? pull : 0;
-        }
-        row += FIELDS * lanes;
-        drawn += lanes;
-    }
-}
-
 static void remember_pulls(const line_block *b, const int *solved)
 {
-    int links = b->s.particles - 1;
-    real done[LANES];
-    for (int l = 0; l < b->lanes; l++) done[l] = solved[l];
-    if (b->lanes == LANES)
-        add_pulls(row_at(b, 0), links, b->drawn, done, LANES);
-    else
-        add_pulls(row_at(b, 0), links, b->drawn, done, b->lanes);
+    real *drawn = b->drawn;
+    for (int k = 0; k + 1 < b->s.particles; k++)
+        for (int l = 0; l < b->lanes; l++, drawn++) {
+            const real *row = row_at(b, k);
+            vec3 link = lane_get(row, PUSH, b->lanes, l);
+            real pull = row[SOLVED * b->lanes + l] * vec3_length(link);
+            if (solved[l]) *drawn += pull;
+        }
 }
 //<
 
@@ -840,20 +767,9 @@ static inline void measure_links(places at, int pitch, real rest2,
     }
 }
 
-static inline real largest(const real of[LANES])
-{
-    real most = of[0];
-    for (int l = 1; l < LANES; l++) most = of[l] > most ? of[l] : most;
-    return most;
-}
-
-// One look in so many asks whether what was seen is too much already.
-enum { PEEK = 4 };                          // tuned, links
-
-// m^2, the largest |now - rest^2| of a block of lines; HUGE_VAL for NaN,
-// and where it is more than enough.  Columns or rows, one of the two lies side by
-// side in the body.
-static real block_worst(const line_block *b, real enough)
+// m^2, the largest |now - rest^2| of a block of lines; HUGE_VAL for NaN.  Columns or
+// rows, one of the two lies side by side in the body.
+static real block_worst(const line_block *b)
 {
     strands s = b->s;
     bool is_across = s.across == 1;
@@ -861,26 +777,25 @@ static real block_worst(const line_block *b, real enough)
     int steps = is_across ? links : b->lanes;
     real rest2 = s.rest_length * s.rest_length;
     real worst[LANES] = { 0 }, sum[LANES] = { 0 };
-    if (side < (is_across ? HALF : LANES)) return HUGE_VAL;
-    for (int k = 0; k < steps; k++) {
-        if (k % PEEK == 1 && largest(worst) > enough) return HUGE_VAL;
+    if (side < LANES) return HUGE_VAL;
+    for (int k = 0; k < steps; k++)
         for (int q = 0; q < side; q += LANES) {
             int i = (q < side - LANES ? q : side - LANES)
                   + k * (is_across ? s.along : s.across);
             measure_links(places_from(b->scratch->now, b->start + i), s.along,
                           rest2, worst, sum);
         }
-    }
+    real most = 0;
     for (int l = 0; l < LANES; l++)
-        if (!(sum[l] < HUGE_VAL)) return HUGE_VAL;
-    return largest(worst);
+        most = real_max(most, sum[l] < HUGE_VAL ? worst[l] : HUGE_VAL);
+    return most;
 }
 
 static bool is_good(const line_block *b, real tolerance, line_result *r)
 {
     real rest2 = b->s.rest_length * b->s.rest_length;
-    real enough = 2 * tolerance * rest2, worst = block_worst(b, enough);
-    if (!(worst <= enough)) return false;
+    real worst = block_worst(b);
+    if (!(worst <= 2 * tolerance * rest2)) return false;
     r->worst = fmax(r->worst, worst / (2 * rest2));
     return true;
 }
@@ -973,9 +888,8 @@ real shape_width(const shape *s, int direction)
 //<
 
 //> line-hold
-//>   What is held is marked before the first iteration. A particle that slides,
-//>   and whose neighbours all touch the same plane, is left free, because no
-//>   link draws it down. Afterwards the pulls are read off the moves.
+//>   What is held is marked before the first iteration. Afterwards the pulls are
+//>   read off the moves.
 // Marks particle i in its blocks.  The last one may share lines with the one
 // before it.
 static void mark(const shape *s, line_scratch *scratch, int i)
@@ -984,32 +898,11 @@ static void mark(const shape *s, line_scratch *scratch, int i)
         strands x = shape_strands(s, d);
         int line = i / x.across % x.lines, k = i / x.along % x.particles;
         int last = block_number(x, x.lines - 1);
-        int lanes = lanes_for(x.lines, last * LANES);
         scratch->held[d][block_number(x, line) * x.particles + k] = 1;
-        if (line >= x.lines - lanes)
+        if (line >= x.lines - lanes_for(x))
             scratch->held[d][last * x.particles + k] = 1;
     }
     scratch->is_held = true;
-}
-
-static bool is_on_same_side(const line_hold *a, const line_hold *b)
-{
-    return b->state != LINE_FREE
-        && vec3_dot(a->normal, b->normal) > 1 - LINE_NOTHING;
-}
-
-// Where all neighbours touch the same plane, no link draws a particle into it.
-static bool lies_flat(const shape *s, const line_hold *hold, int i)
-{
-    bool is_flat = true;
-    for (int d = 0; d < shape_directions(s) && is_flat; d++) {
-        strands x = shape_strands(s, d);
-        int k = i / x.along % x.particles;
-        if (k > 0) is_flat = is_on_same_side(&hold[i], &hold[i - x.along]);
-        if (k + 1 < x.particles && is_flat)
-            is_flat = is_on_same_side(&hold[i], &hold[i + x.along]);
-    }
-    return is_flat;
 }
 
 // m.  What friction holds the strands draw by a share all the same.  It is taken back
@@ -1030,7 +923,7 @@ static void hold_begin(const shape *s, line_scratch *scratch,
         *weight *= share;
         place_set(scratch->now, i, vec3_sub(place_get(scratch->now, i),
                                             taken_back(&hold[i])));
-        if (!(more > 0) || lies_flat(s, hold, i)) continue;
+        if (!(more > 0)) continue;
         place_set(scratch->hold, i, vec3_scale(sqrt(more), hold[i].normal));
         mark(s, scratch, i);
     }
@@ -1087,7 +980,7 @@ static real *drawn_of(const line_scratch *scratch, strands x, int d, int line,
                       int *lanes)
 {
     int first = x.lines < LANES ? line : line / LANES * LANES;
-    *lanes = lanes_for(x.lines, first);
+    *lanes = lanes_for(x);
     int begin = int_min(first, x.lines - *lanes);
     return scratch->drawn[d] + first * x.particles + line - begin;
 }

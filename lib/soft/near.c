@@ -18,7 +18,6 @@ rigid_frame soft_rigid_frame(const soft_frame *f, int b)
 typedef struct {
     aabb box;           // m
     real longest;       // m^2
-    real fastest;       // m^2, the longest of the last substep
 } moves_box;
 
 static inline real longer(real a, vec3 d)
@@ -28,23 +27,18 @@ static inline real longer(real a, vec3 d)
     return b > a || b != b ? b : a;
 }
 
-// d: since the listing; u: in the last substep.
-static inline void add_move(moves_box *m, vec3 d, vec3 u)
+static inline void add_move(moves_box *m, vec3 d)
 {
     m->box = aabb_join((aabb){ d, d }, m->box);
     m->longest = longer(m->longest, d);
-    m->fastest = longer(m->fastest, u);
 }
 
 static void add_soft_moves(moves_box *to, const near_lists *l, const soft_frame *f,
                            const body *b)
 {
     moves_box m = *to;
-    for (int i = b->first; i < b->first + b->shape->particles; i++) {
-        const particle *p = &f->particle[i];
-        add_move(&m, vec3_sub(p->position, l->listed[i]),
-                 vec3_sub(p->position, p->previous));
-    }
+    for (int i = b->first; i < b->first + b->shape->particles; i++)
+        add_move(&m, vec3_sub(f->particle[i].position, l->listed[i]));
     *to = m;
 }
 
@@ -54,31 +48,18 @@ static void add_rigid_moves(moves_box *m, const near_lists *l, const soft_frame 
                             int b)
 {
     rigid_frame frame = soft_rigid_frame(f, b);
-    int of = body_whole(&f->body[b], b);
     for (int k = 0; k < FOUR; k++) {
-        vec3 arm = frame_arm(&frame, k), at = vec3_add(frame.center, arm);
-        vec3 d = vec3_sub(at, l->listed[f->body[b].first + k]);
-        vec3 u = motion_at(&f->now[of].basis, &f->velocity[of], arm);
-        add_move(m, vec3_scale(2, d), vec3_scale(2 * f->h, u));
+        vec3 at = vec3_add(frame.center, frame_arm(&frame, k));
+        add_move(m, vec3_scale(2, vec3_sub(at, l->listed[f->body[b].first + k])));
     }
 }
 
-// Two whose moves differ by the margin may have closed it.  Before that the
-// lists are good; and for as many substeps more as it would take if any two
-// went against each other, at twice the speed of the fastest, but at most 8,
-// for speeds change.
-static const real FASTER = 2;               // tuned, 1
-
+// Two whose moves differ by the margin may have closed it.
 static bool lists_are_good(near_lists *l, const soft_frame *f)
 {
-    if (l->trusted < 0) return false;
-    // They counted on the pace that was.
-    if (f->age != f->h) l->trusted = 0;
+    // What was clear counted on the pace that was.
     l->substeps += f->age != f->h ? TRUST_MOST : 1;
-    if (l->trusted > 0) {
-        l->trusted--;
-        return true;
-    }
+    if (l->is_stale) return false;
     // What stands still has moved by nothing, and that is in the box, too.
     moves_box m = { .longest = 0 };
     for (int k = 0; k < l->candidates; k++) {
@@ -88,12 +69,7 @@ static bool lists_are_good(near_lists *l, const soft_frame *f)
         else                           add_rigid_moves(&m, l, f, b);
     }
     real apart = vec3_distance(m.box.low, m.box.high), both = 2 * sqrt(m.longest);
-    real left = l->margin - (apart < both ? apart : both);
-    real pace = 2 * FASTER * sqrt(m.fastest);
-    if (!(left > 0)) return false;
-    l->trusted = left >= TRUST_MOST * pace ? TRUST_MOST
-               : left > pace ? (int)(left / pace) : 0;
-    return true;
+    return (apart < both ? apart : both) < l->margin;
 }
 //<
 
@@ -177,10 +153,7 @@ void rigid_view_update(rigid_view *v, const soft_frame *f, int b)
 //<
 
 //> near-facets
-//>   Which facets are listed? Those whose particles are near enough. But a
-//>   sheet on a flat face must not become a thousand facets: what three
-//>   particles hold off one face needs nothing more, as long as all three stand
-//>   over it and nowhere near its rim.
+//>   Which facets are listed? Those of which a particle is near enough.
 // A particle keeps 0.55 of a spacing from a face, and a cell's diagonal over a
 // right-angled edge 0.05: that much, and some more, facets keep from all.  What
 // is about as thin as a cell may be sharp, too, and be through in a substep: it
@@ -208,24 +181,6 @@ static real facet_reach(real reach, const body *soft)
     return sqrt(reach * reach + beside * beside);
 }
 
-// Where a particle is: far from the body; in front of one of its planes, by its
-// number; or over that face and nowhere near its rim.  A facet over a face meets
-// nothing else while the lists are good, and its particles keep it off that.
-enum { OVER_NOTHING = -1 };
-
-static bool is_over_body(const rigid_view *v, vec3 x, int ahead, real inside)
-{
-    if (v->hull.planes == 0) return false;
-    plane face = v->plane[ahead];
-    real up = plane_height(face, x);
-    vec3 foot = vec3_add_scaled(x, -up, face.normal);
-    real rim = inside + 2 * v->hull.round;      // of a face of the core
-    for (int k = 0; k < v->hull.planes; k++)
-        if (k != ahead && !(plane_height(v->plane[k], foot) < -rim))
-            return false;
-    return up > 0;
-}
-
 // In the order in which facets are listed: by the two bodies, by number.
 static int order_facets(const facet_pair *x, const facet_pair *y)
 {
@@ -244,33 +199,6 @@ static plane known_plane(facet_list *last, const facet_pair *x)
     return (plane){ { 0, 0, 0 }, 0 };
 }
 
-// Are all corners over the same face?
-static bool is_over_face(const int *ahead, const int corner_of[FACET])
-{
-    int first = ahead[corner_of[0]];
-    return first % 2 == 1 && ahead[corner_of[1]] == first
-        && ahead[corner_of[2]] == first;
-}
-
-// May a facet with these corners come within reach?  All planes that a corner is
-// in front of are asked; most often it is the same one.
-static bool may_touch_soft(const near_lists *l, const rigid_view *v,
-                           const int corner_of[FACET], real reach)
-{
-    vec3 end[FACET];
-    int asked = OVER_NOTHING;
-    for (int k = 0; k < FACET; k++) end[k] = l->at[corner_of[k]];
-    for (int k = 0; k < FACET; k++) {
-        int ahead = l->ahead[corner_of[k]];
-        bool is_asked = v->hull.planes > 0 && ahead / 2 == asked;
-        if (ahead == OVER_NOTHING || is_asked) continue;
-        asked = ahead / 2;
-        plane under = obstacle_plane(&v->hull, end[k], asked);
-        if (facet_height(end, under) > reach) return false;
-    }
-    return true;
-}
-
 // Room for one facet more, in this list and the next.
 static bool grow_facets(near_lists *l)
 {
@@ -286,20 +214,16 @@ static bool grow_facets(near_lists *l)
     return ok;
 }
 
-static void list_facets(near_lists *l, const rigid_view *v, const soft_frame *f,
-                        int a, int b)
+static void list_facets(near_lists *l, const soft_frame *f, int a, int b)
 {
     const body *soft = &f->body[a];
     const shape *s = soft->shape;
-    real reach = facet_gap(soft, &f->body[b]) + l->margin;
     int facets = s->mesh.faces > 0 ? s->mesh.faces : s->sticks;
     for (int k = 0; k < facets; k++) {
         int end[FACET];
         facet_corners(soft, k, end);
-        const int *ahead = l->ahead;
-        int all = ahead[end[0]] & ahead[end[1]] & ahead[end[2]];
-        if (all == OVER_NOTHING || is_over_face(ahead, end)) continue;
-        if (!may_touch_soft(l, v, end, reach)) continue;
+        const bool *near = l->is_beside;
+        if (!near[end[0]] && !near[end[1]] && !near[end[2]]) continue;
         if (!grow_facets(l)) continue;
         facet_pair pair = { .soft = a, .rigid = b, .number = k };
         pair.between = known_plane(&l->facets_before, &pair);
@@ -328,35 +252,32 @@ static void list_points(near_lists *l, rigid_view *v, const soft_frame *f,
 {
     const body *soft = &f->body[a];
     real reach = soft_gap(soft, &f->body[b]) + l->margin;
-    real facet = facet_gap(soft, &f->body[b]) + l->margin;
-    real wide = real_max(reach, facet_reach(facet, soft));
+    real wide = real_max(reach, facet_reach(facet_gap(soft, &f->body[b]) + l->margin,
+                                            soft));
     real far = f->now[b].radius + wide;
     vec3 center = soft_rigid_frame(f, b).center;
     bool is_ready = false;
     int ahead = 0;
     for (int i = soft->first; i < soft->first + soft->shape->particles; i++) {
         vec3 x = l->at[i];
-        l->ahead[i] = OVER_NOTHING;
+        l->is_beside[i] = false;
         if (vec3_length_squared(vec3_sub(x, center)) > far * far) continue;
         if (!is_ready) rigid_view_update(v, f, b);
         is_ready = true;
         // Most that are far are in front of the plane that the last one was.
         if (v->hull.planes > 0 && plane_height(v->plane[ahead], x) > wide)
             continue;
-        int over = is_over_body(v, x, ahead, facet);
-        if (!over) ahead = hull_ahead(x, v->plane, v->hull.planes);
+        ahead = hull_ahead(x, v->plane, v->hull.planes);
         real up = plane_height(obstacle_plane(&v->hull, x, ahead), x);
         if (up > wide) continue;
-        l->ahead[i] = 2 * ahead;
+        l->is_beside[i] = true;
         if (up > reach) continue;
-        over = over || is_over_body(v, x, ahead, facet);
-        l->ahead[i] += over;
         if (TABLE_ADD(l->point, l->points, l->point_capacity))
-            l->point[l->points++] = (point_pair){ i, a, b, ahead, over };
+            l->point[l->points++] = (point_pair){ i, a, b, ahead };
         else
             l->dropped++;
     }
-    if (is_ready) list_facets(l, v, f, a, b);
+    if (is_ready) list_facets(l, f, a, b);
 }
 //<
 
@@ -435,7 +356,8 @@ void near_refresh(near_lists *l, rigid_view *v, const soft_frame *f)
     l->facet = (facet_list){ .at = l->facets_before.at };
     l->facets_before = last;
     l->facets_before.next = 0;
-    l->pairs = l->points = l->trusted = 0;
+    l->pairs = l->points = 0;
+    l->is_stale = false;
     l->substeps = 0;
     l->made++;
     const int *c = l->candidate;
@@ -464,8 +386,10 @@ static bool is_far(const aabb *x, sphere ball, real reach)
     return aabb_distance_squared(x, ball.center) > apart * apart;
 }
 
-// Two bodies that are further apart than this (m) cannot be near in the frame, if
-// nothing gets faster than twice the fastest.
+// Nothing gets faster in a frame than so many times the fastest, as it begins.
+static const real FASTER = 2;               // tuned, 1
+
+// Two bodies that are further apart than this (m) cannot be near in the frame.
 static real frame_reach(const near_lists *l, const soft_frame *f,
                         const prediction *ahead)
 {
@@ -502,7 +426,7 @@ static void choose_candidates(near_lists *l, const soft_frame *f,
     for (int k = 0; k < l->candidates; k++)
         missing -= l->is_near[l->candidate[k]];
     if (missing == 0) return;
-    l->trusted = -1;
+    l->is_stale = true;
     l->candidates = 0;
     for (int b = 0; b < f->bodies; b++)
         if (l->is_near[b]) l->candidate[l->candidates++] = b;
@@ -598,7 +522,7 @@ static bool make_near_room(near_lists *l, int bodies, int particles)
     if (particle_room > l->particles) {
         TABLE_GROW(ok, l->at, l->particles, particle_room);
         TABLE_GROW(ok, l->listed, l->particles, particle_room);
-        TABLE_GROW(ok, l->ahead, l->particles, particle_room);
+        TABLE_GROW(ok, l->is_beside, l->particles, particle_room);
         if (ok) l->particles = particle_room;
     }
     return ok;
@@ -630,7 +554,7 @@ status near_add(near_lists *l, const body *all, int b, int bodies,
 {
     const body *x = &all[b];
     if (l->softs == 0) l->margin = HUGE_VAL;
-    l->trusted = -1;
+    l->is_stale = true;
     if (!make_near_room(l, bodies, particles)) return status_out_of_memory();
     if (!body_is_soft(x)) return status_ok();
     int n = x->shape->particles;
@@ -653,11 +577,11 @@ void near_free(near_lists *l)
     for (int b = 0; b < l->bodies; b++) sphere_tree_free(&l->tree[b]);
     void *owned[] = { l->soft, l->tree, l->ball, l->gap, l->is_near,
                       l->candidate, l->at,
-                      l->listed, l->pair, l->point, l->leaf, l->ahead, l->met,
+                      l->listed, l->pair, l->point, l->leaf, l->is_beside, l->met,
                       l->facet.at, l->facets_before.at };
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) free(owned[i]);
     grid_free(&l->grid);
-    *l = (near_lists){ .trusted = -1 };
+    *l = (near_lists){ .is_stale = true };
 }
 
 status rigid_view_add(rigid_view *v, const body *b)
@@ -698,7 +622,7 @@ void near_forget(near_lists *l, int b)
 {
     forget_facets(&l->facet, b);
     l->pairs = l->points = l->mets = 0;
-    l->trusted = -1;
+    l->is_stale = true;
 }
 
 void near_remove(near_lists *l, const body *all, int b)

@@ -454,11 +454,6 @@ static bool balls_near(sphere a, sphere b, real margin)
     return vec3_distance(a.center, b.center) <= a.radius + b.radius + margin;
 }
 
-bool soft_is_clear(soft_solver *s, const soft_frame *f, int a, int b)
-{
-    return touch_is_clear(&s->view, f, a, b);
-}
-
 // Twice the margin of the lists is room for what a frame will bring.
 bool soft_may_touch(const soft_solver *s, int a, int b)
 {

@@ -60,10 +60,6 @@ void soft_doubt(soft_solver *s);
 // ones, and how may they move?  held says which hang on something.
 void soft_begin(soft_solver *s, const soft_frame *f);
 
-// Does the deformable body a keep its distance from the rigid body b, as a frame
-// begins?
-bool soft_is_clear(soft_solver *s, const soft_frame *f, int a, int b);
-
 // Is the deformable body a so near b that they may touch in this frame?
 bool soft_may_touch(const soft_solver *s, int a, int b);
 

@@ -41,7 +41,7 @@ static void wake_both(world *w, const joint *j)
     wake(w, j->a);
     wake(w, j->b);
     w->is_still = false;
-    w->soft.near.trusted = -1;
+    w->soft.near.is_stale = true;
 }
 
 status world_join(world *w, joint_plan plan, int *number)
@@ -344,7 +344,7 @@ void join_islands_of_joints(world *w)
     }
     if (l->broken > 0) {
         linkage_count_pins(l);
-        w->soft.near.trusted = -1;
+        w->soft.near.is_stale = true;
     }
     l->broken = 0;
 }

@@ -36,10 +36,10 @@ static void forget_ties(world *w)
     soft_frame f = soft_frame_of(w, w->age);
     for (int k = w->joints.ties - 1; k >= 0; k--) {
         const body_tie *t = &w->joints.tied[k];
-        if (t->pins > 0 || !soft_is_clear(&w->soft, &f, t->soft, t->rigid))
+        if (t->pins > 0 || !touch_is_clear(&w->soft.view, &f, t->soft, t->rigid))
             continue;
         linkage_untie(&w->joints, k);
-        w->soft.near.trusted = -1;
+        w->soft.near.is_stale = true;
     }
 }
 

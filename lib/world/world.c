@@ -275,7 +275,7 @@ void world_wake(world *w, int b)
         k = w->sleep.next[k];
     } while (k != b);
     sleep_wake(&w->sleep, b);
-    w->soft.near.trusted = -1;
+    w->soft.near.is_stale = true;
     w->is_still = false;
 }
 

@@ -1323,45 +1323,6 @@ START_TEST(floors_let_go_and_friction_does_not)
 }
 END_TEST
 
-// Particle 12, in the middle of 5 by 5, slides.  Its four neighbours touch the
-// same plane; then one of them touches another one, or nothing.
-// Rejects: a hold where all lies flat; none beside an edge, or in one direction.
-START_TEST(what_lies_flat_is_left_free)
-{
-    static const int beside[5] = { 12, 7, 11, 13, 17 };
-    for (int other = 0; other < 5; other++)
-        for (int kind = 0; kind < 2; kind++) {
-            lay_cloth(5, 5);
-            disturb(0.02);
-            remember();
-            line_hold hold[25];
-            for (int i = 0; i < 25; i++)
-                hold[i] = hold_of(i == 12 ? LINE_TOUCHES : LINE_FREE,
-                                  vec3_make(1, 2, 3));
-            for (int k = 1; k < 5; k++)
-                hold[beside[k]] = hold_of(LINE_CORNERED, hold[12].normal);
-            for (int k = 1; k < 5; k++) p[beside[k]].inverse_mass *= 5;
-            if (other > 0 && kind == 0)
-                hold[beside[other]].normal = vec3_make(0, 1, 0);
-            if (other > 0 && kind == 1) {
-                hold[beside[other]].state = LINE_FREE;
-                p[beside[other]].inverse_mass /= 5;
-            }
-            for (int k = 1; k < 5; k++)
-                q[beside[k]].inverse_mass = p[beside[k]].inverse_mass
-                    * (hold[beside[k]].state == LINE_CORNERED ? 0.3 : 1);
-            lines_relax(&plan, p, 1, 1, along(0), hold, 0, scratch);
-            lines_relax(&plan, q, 1, 1, along(0), NULL, 0, scratch);
-            real apart = 0;
-            for (int i = 0; i < 25; i++)
-                apart = fmax(apart, vec3_distance(p[i].position,
-                                                  q[i].position));
-            ck_assert_int_eq(apart < EXACT, other == 0);
-            tear_down();
-        }
-}
-END_TEST
-
 // kg m, the pull of a link that gives by `give` (m in kg m), along itself.
 static vec3 pull_of(const particle *a, const particle *b, real rest, real give)
 {
@@ -1460,7 +1421,6 @@ int main(void)
         strands_that_are_held_are_those_of_the_plain_form,
         particle_on_a_floor_bears_what_hangs_on_it,
         floors_let_go_and_friction_does_not,
-        what_lies_flat_is_left_free,
         links_that_give_pull_by_how_much_they_are_too_long,
         NULL
     };

@@ -395,57 +395,6 @@ static vec3 spin_together(const motion_basis *a, const motion_basis *b, vec3 r,
     return vec3_scale(1 / vec3_dot(of[0], across), spin);
 }
 
-// A pair beside its centre of mass: how it would move as one body, and the rest.
-typedef struct {
-    motion_basis basis[2];
-    vec3 r, mean;               // m, from the second to the first; m/s
-    motion u[2];
-} close_pair;
-
-static close_pair pair_of(const rigid_tables *t, const int side[2])
-{
-    const motion *u = &t->velocity[side[0]], *v = &t->velocity[side[1]];
-    const solver_body *a = &t->now[side[0]], *b = &t->now[side[1]];
-    close_pair p = { { a->basis, b->basis }, .u = { *u, *v } };
-    real x = p.basis[0].inverse_mass, y = p.basis[1].inverse_mass;
-    real mean[3];
-    for (int i = 0; i < 3; i++) {
-        mean[i] = (y * u->of[i] + x * v->of[i]) / (x + y);
-        p.u[0].of[i] -= mean[i];
-        p.u[1].of[i] -= mean[i];
-    }
-    p.mean = vec3_make(mean[0], mean[1], mean[2]);
-    p.r = vec3_sub(a->frame.center, b->frame.center);
-    return p;
-}
-
-static vec3 angular_of(const close_pair *p)
-{
-    real sum = p->basis[0].inverse_mass + p->basis[1].inverse_mass;
-    vec3 apart = vec3_sub(motion_straight(&p->u[0]), motion_straight(&p->u[1]));
-    vec3 own = vec3_add(motion_angular(&p->basis[0], &p->u[0]),
-                        motion_angular(&p->basis[1], &p->u[1]));
-    return vec3_add_scaled(own, 1 / sum, vec3_cross(p->r, apart));
-}
-
-// Adds share times the motion that the pair has as one body, which turns.
-static void add_common(close_pair *p, real share, vec3 spin)
-{
-    real sum = p->basis[0].inverse_mass + p->basis[1].inverse_mass;
-    for (int k = 0; k < 2; k++) {
-        real out = (k ? -1 : 1) * p->basis[k].inverse_mass / sum;
-        vec3 way = vec3_scale(out, vec3_cross(spin, p->r));
-        motion u = motion_make(&p->basis[k], way, spin);
-        for (int i = 0; i < MOTIONS; i++) p->u[k].of[i] += share * u.of[i];
-    }
-}
-
-static real energy_of(const close_pair *p)
-{
-    return motion_energy(&p->basis[0], &p->u[0])
-         + motion_energy(&p->basis[1], &p->u[1]);
-}
-
 // Of an energy `part`, so much that no more than `most` is left: a share of speed.
 static real slowed_to(real most, real part)
 {
@@ -456,24 +405,33 @@ static real slowed_to(real most, real part)
 // that they lost by that: they turn as one body that has it all, and what they do
 // beside that is slowed, for energy must not grow.  (The spin of one of them alone
 // would take any energy for it, and a needle's the most.)
-static void turn_together(rigid_tables *t, const int side[2], vec3 moment)
+static void turn_together(rigid_tables *t, int small, int large, vec3 moment)
 {
-    close_pair p = pair_of(t, side), common = p;
-    vec3 angular = angular_of(&p);
-    vec3 is = spin_together(&p.basis[0], &p.basis[1], p.r, angular);
-    vec3 was = spin_together(&p.basis[0], &p.basis[1], p.r,
-                             vec3_add(angular, moment));
-    real energy = energy_of(&p);
-    common.u[0] = common.u[1] = (motion){ { 0 } };
-    add_common(&common, 1, was);
-    real turns = energy_of(&common), share = slowed_to(energy, turns);
-    add_common(&p, -1, is);
-    real beside = slowed_to(energy - turns, energy_of(&p));
+    const motion_basis *a = &t->now[small].basis, *b = &t->now[large].basis;
+    motion *u = &t->velocity[small], *v = &t->velocity[large];
+    vec3 r = vec3_sub(t->now[small].frame.center, t->now[large].frame.center);
+    real sum = a->inverse_mass + b->inverse_mass;
+    vec3 apart = vec3_sub(motion_straight(u), motion_straight(v));
+    vec3 had = vec3_add(motion_angular(a, u), motion_angular(b, v));
+    had = vec3_add_scaled(had, 1 / sum, vec3_cross(r, apart));
+    vec3 has = vec3_add(had, moment);
+    vec3 is = spin_together(a, b, r, had), was = spin_together(a, b, r, has);
+    vec3 mean = vec3_add_scaled(motion_straight(v), b->inverse_mass / sum, apart);
+    real drifts = vec3_length_squared(mean) * sum
+                / (2 * a->inverse_mass * b->inverse_mass);
+    real energy = motion_energy(a, u) + motion_energy(b, v) - drifts;
+    real turns = vec3_dot(was, has) / 2, rest = energy - vec3_dot(is, had) / 2;
+    real share = slowed_to(energy, turns), beside = slowed_to(energy - turns, rest);
     for (int k = 0; k < 2; k++) {
-        real mean[MOTIONS] = { p.mean.x, p.mean.y, p.mean.z };
+        const motion_basis *of = k ? b : a;
+        motion *x = k ? v : u;
+        real out = (k ? -1 : 1) * of->inverse_mass / sum;
+        vec3 now = vec3_add_scaled(mean, out, vec3_cross(is, r));
+        vec3 then = vec3_add_scaled(mean, share * out, vec3_cross(was, r));
+        motion one = motion_make(of, now, is);
+        motion on = motion_make(of, then, vec3_scale(share, was));
         for (int i = 0; i < MOTIONS; i++)
-            t->velocity[side[k]].of[i] = mean[i] + share * common.u[k].of[i]
-                                       + beside * p.u[k].of[i];
+            x->of[i] = on.of[i] + beside * (x->of[i] - one.of[i]);
     }
 }
 
@@ -490,8 +448,7 @@ static void move_both(rigid_tables *t, int small, int large, const lost_side *s)
     vec3 apart = vec3_sub(motion_straight(&t->velocity[small]),
                           motion_straight(&t->velocity[large]));
     vec3 moment = vec3_scale(s->need / (x + y), vec3_cross(apart, s->normal));
-    const int both[2] = { small, large };
-    if (x > 0 && y > 0) turn_together(t, both, moment);
+    if (x > 0 && y > 0) turn_together(t, small, large, moment);
 }
 
 // The impulse after which the smaller one's centre goes no further in.

@@ -218,6 +218,9 @@ async function checkPhone() {
   await little.waitForSelector('.cm-scroller', WAIT);
   await little.waitForTimeout(1000);
   check(await little.evaluate(() => document.querySelector('.cm-scroller').scrollTop) === 0, 'the little program begins with its first line');
+  check(await little.evaluate(() => document.querySelector('.task').scrollHeight <= document.querySelector('.task').clientHeight), 'its task does not scroll in itself');
+  await little.locator('.workshop-stages').selectOption('02c', { timeout: 10e3 }).catch(() => {});
+  check(await little.locator('[data-stage="02c"][aria-current]').count() === 1, 'and a stage is chosen above the editor');
   await little.context().close();
 }
 

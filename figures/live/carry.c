@@ -105,7 +105,7 @@ static void draw(void)
         draw_box(b);
         draw_bar(b);
     }
-    live_label(LIVE_QUIET, vec3_make(0.4, BOXES * SIDE - 0.08, 0), "what each contact pushes; the mark: the weight above it");
+    live_label(LIVE_QUIET, vec3_make(0.4, BOXES * SIDE - 0.08, 0), "what each contact pushes");
 }
 
 static unsigned long long hash(void)

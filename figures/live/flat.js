@@ -7,6 +7,7 @@ const PANE = 0, LINE = 1, DASHES = 2, AREA = 3, DOT = 4, ARROW = 5, LABEL = 6, H
 const TAGS = { [LINE]: 'polyline', [DASHES]: 'polyline', [AREA]: 'polygon', [DOT]: 'circle', [ARROW]: 'path', [LABEL]: 'text', [CIRCLE]: 'circle' };
 const REACH = 24;               // px, half of what a finger touches
 const NARROW = 560;             // px; below, panes stand one over the other
+const EDGE = 4;                 // px, between words and the edge of their pane
 
 export class Flat {
   constructor(figure, stage, panel) {
@@ -40,6 +41,7 @@ export class Flat {
       pane.scale = Math.min(width / pane.wide, height / pane.high);
       pane.x = width / 2 - pane.scale * (pane.left + pane.wide / 2);
       pane.y = height / 2 + pane.scale * (pane.bottom + pane.high / 2);
+      Object.assign(pane, { across: width, down: height });
       pane.held = 0;
       pane.ghosts.used = pane.shapes.used = 0;
     }
@@ -80,12 +82,19 @@ export class Flat {
     } else if (kind === DOT) this.place(node, at(0), number);
     else if (kind === CIRCLE) this.place(node, at(0), (number * pane.scale).toFixed(1));
     else if (kind === ARROW) node.setAttribute('d', arrow(at(0), at(1)));
-    else {
-      node.setAttribute('x', at(0)[0].toFixed(1));
-      node.setAttribute('y', at(0)[1].toFixed(1));
-      const words = text(number);
-      if (node.textContent !== words) node.textContent = words;
+    else this.label(node, pane, at(0), text(number));
+  }
+
+  // Words that begin inside their pane end there as well, however narrow it is.
+  label(node, { across, down }, [x, y], words) {
+    if (node.textContent !== words) {
+      node.textContent = words;
+      node.long = 0;
     }
+    node.long ||= node.getComputedTextLength();
+    const isInside = x >= 0 && x <= across && y >= 0 && y <= down;
+    node.setAttribute('x', (isInside ? Math.max(Math.min(x, across - node.long - EDGE), EDGE) : x).toFixed(1));
+    node.setAttribute('y', (isInside ? Math.min(y, down - EDGE) : y).toFixed(1));
   }
 
   place(node, [x, y], radius) {

@@ -1,5 +1,5 @@
 // still.js - node still.js PAGE NAME PICTURE: the stage of a live figure at frame
-// 60, as PNG.
+// 60, as PNG: what is drawn, without the buttons and the strip that they stand in.
 
 import { chromium } from 'playwright-core';
 
@@ -13,7 +13,7 @@ await sheet.goto(`file://${page}`);
 const figure = sheet.locator(`[data-live="${name}"]`);
 await figure.evaluate(node => node.scrollIntoView());
 await sheet.waitForSelector(`[data-live="${name}"][data-ready]`, { timeout: 60000 });
-await figure.locator('.live-stage').evaluate(stage => { stage.style.borderBottom = 0; stage.querySelector('.live-tools').remove(); });
+await figure.locator('.live-stage').evaluate(stage => { stage.style.borderBottom = stage.style.paddingBottom = 0; stage.querySelector('.live-tools').remove(); });
 await sheet.waitForTimeout(300);
 await figure.locator('.live-stage').screenshot({ path: picture, timeout: 60000 });
 await browser.close();

@@ -44,13 +44,20 @@ export async function openLittle(place) {
   let stage = location.hash.slice(1) || kept.get('stage');
   const links = [...document.querySelectorAll('[data-stage]')];
   const title = make('h2', { className: 'workshop-stage' });
+  // Where the list of stages is not beside the editor, it is above it in one line.
+  const stages = make('select', { className: 'workshop-stages', ariaLabel: 'Stage', onchange: () => choose(stages.value, true) });
+  for (const link of links) {
+    const name = link.dataset.stage, label = `Chapter ${name.slice(0, 2)}`;
+    if (stages.lastChild?.label !== label) stages.append(make('optgroup', { label }));
+    stages.lastChild.append(new Option(`${name}: ${link.textContent}`, name));
+  }
   await script(`stage-${links[0].dataset.stage}`);
   const first = workshop.stages[links[0].dataset.stage];
   const film = makeFilm();
   const desk = await makeDesk(place, { key: 'little', label: 'Your little program', file: 'little.c', verb: 'Compile and run', start: () => first.source, act: run,
     more: [button('The book’s program here', bring), button('See it move', () => draw().catch(fail)), button('Save as a page', () => savePage().catch(fail))] });
   place.desk = desk;
-  place.prepend(title);
+  place.prepend(title, stages);
   place.append(film.node);
   const fail = error => { desk.tell(''); desk.say(make('p', { className: 'workshop-bad' }, error.message)); };
 
@@ -61,6 +68,7 @@ export async function openLittle(place) {
     links.forEach(link => link.toggleAttribute('aria-current', link.dataset.stage === name));
     const link = links.find(one => one.dataset.stage === name);
     title.textContent = `Stage ${name}: ${link.textContent}`;
+    stages.value = name;
     if (isNew) { desk.say(); film.clear(); }
   }
   links.forEach(link => { link.onclick = event => { event.preventDefault(); choose(link.dataset.stage, true); }; });

@@ -62,6 +62,7 @@ async function checkFigure(page, name) {
   check(hash === wants, `${name} has the native hash ${wants}, not ${hash ?? trapped ?? failed}`);
   if (trapped || failed) return;
   check(running === '0' && await frames(figure) === 60, `${name} stands at frame 60 where motion is unwanted`);
+  await checkPicture(figure, name);
   await checkCode(figure, name);
   await checkDials(page, figure, name);
   await checkChoices(figure, name);
@@ -82,6 +83,18 @@ async function painted({ live }) {
   const seen = new Set(), { data } = small.getImageData(0, 0, 64, 36);
   for (let k = 0; k < data.length; k += 4) seen.add(data[k] >> 4 << 8 | data[k + 1] >> 4 << 4 | data[k + 2] >> 4);
   return seen.size > 8;
+}
+
+// The picture that stands in its place holds what is drawn, and nothing else: one with
+// the strip of the buttons below it is higher by 67 px.
+async function checkPicture(figure, name) {
+  const more = await figure.evaluate(async ({ live }) => {
+    const picture = Object.assign(new Image(), { src: `figures/live/${live.name}.webp` });
+    await picture.decode();
+    const aspect = live.isFlat ? +live.stage.style.getPropertyValue('--live-aspect') : 16 / 9;
+    return picture.naturalHeight - picture.naturalWidth / aspect;
+  });
+  check(Math.abs(more) < 4, `the picture of ${name} has the shape of its stage: it is ${more.toFixed(0)} px higher (make still-${name})`);
 }
 
 // A figure that shows its code lights one line of it after the other, and none that

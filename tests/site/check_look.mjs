@@ -115,6 +115,17 @@ async function checkFinger(name) {
     const box = stage.getBoundingClientRect();
     return Math.min(box.bottom, innerHeight) - Math.max(box.top, 0) < 0.9 * box.height;
   }).map(figure => figure.id));
+  // Words in a flat drawing that begin in their pane end there.
+  for (const figure of await page.locator('.live-figure').all()) {
+    if (!await figure.evaluate(node => node.live?.isFlat)) continue;
+    await figure.evaluate(node => node.scrollIntoView({ block: 'center' }));
+    await settled(figure);
+    const cut = await figure.evaluate(node => [...node.querySelectorAll('.live-label')].filter(label => {
+      const words = label.getBoundingClientRect(), pane = label.closest('svg').getBoundingClientRect();
+      return words.left < pane.right && (words.right > pane.right + 1 || words.left < pane.left - 1);
+    }).map(label => `${node.id}, ${label.textContent}`));
+    check(!cut.length, `${name}: no words of a drawing are cut off: ${cut}`);
+  }
   check(!gone.length, `${name}: the stage is seen while the last dial turns: ${gone}`);
   // Who goes back with Tab comes to a dial from below.
   const behind = await page.evaluate(() => [...document.querySelectorAll('.live-figure input')].filter(input => {

@@ -310,19 +310,20 @@ static real time_of_touch(real gap, real closing, real a)
     return u > 0 ? real_min(2 * high / (u + root), 1) : 1;
 }
 
-// When do they first touch, as they stand and go at the time x->time?  A share
-// of the substep.
+// When do they first strike, as they stand and go at the time x->time?  A share
+// of the substep.  A corner that lies there already does not.
 static real first_touch(impact *x, const impact_solver *s, real acceleration)
 {
     const impact_pair *p = &x->pair;
     real gap[CONTACT_POINTS], least = HUGE_VAL, h = s->f->h;
+    real slow = h * material_slowest(s->pull, h);
     find_impact_gaps(x, s, gap);
     for (int k = 0; k < x->c.count; k++) {
         const vec3 arm[BODIES] = { x->arm[k].a, x->arm[k].b };
         impact_row row = row_along(p, x->c.normal, arm);
         real closing = -h * impact_parting(&row, x->u);
         real began = gap[k] + x->time * closing;
-        if (!(closing > 0 && began < (1 + SAME_TIME) * closing)) continue;
+        if (!(closing > slow && began < (1 + SAME_TIME) * closing)) continue;
         least = real_min(least, time_of_touch(began, closing, acceleration));
     }
     return least;

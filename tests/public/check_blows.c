@@ -4,6 +4,7 @@
 #include "tumble.h"
 
 #include <check.h>
+#include <math.h>
 #include <stdbool.h>
 
 // How fast a ball of this mass comes up again that falls at 3 m/s on a cube of a
@@ -41,8 +42,69 @@ START_TEST(heavy_ball_stays_on_a_light_cube)
 }
 END_TEST
 
+// 0 to 1, from a whole number: some throw like any other.
+static double some(unsigned *state)
+{
+    *state = *state * 1664525u + 1013904223u;
+    return (*state >> 8) * 0x1p-24;
+}
+
+static tumble_vec3 some_vec3(unsigned *state, double size)
+{
+    double x = some(state), y = some(state), z = some(state);
+    return tumble_v(size * (2 * x - 1), size * (2 * y - 1), size * (2 * z - 1));
+}
+
+// A box that tumbles is thrown on a rough floor.  Returns how much its energy rises
+// above its least, as a share of the kinetic one at first.
+static double energy_gained(unsigned state)
+{
+    tumble_options o = tumble_options_default();
+    o.friction = 0.1 + 1.4 * some(&state);
+    o.restitution = 0.3;
+    tumble_world *w = tumble_world_make(&o);
+    tumble_plane_add(w, tumble_v(0, 1, 0), -2, -1);
+    tumble_vec3 size = some_vec3(&state, 0.8);
+    tumble_shape box = tumble_shape_box(
+        w, tumble_v(1 + size.x, 1 + size.y, 1 + size.z), 1);
+    tumble_body_options b = tumble_body_at(0, 0, 0);
+    b.pose.rotation = tumble_quat_turn(some_vec3(&state, 1), 6 * some(&state));
+    b.velocity = some_vec3(&state, 3);
+    b.velocity.y -= 5;
+    b.spin = some_vec3(&state, 5);
+    tumble_body_add(w, box, b);
+    tumble_measures m = tumble_world_measure(w);
+    double all = m.kinetic, least = HUGE_VAL, gained = 0;
+    for (int k = 0; k < 90; k++) {
+        m = tumble_world_measure(w);
+        least = fmin(least, m.kinetic + m.potential);
+        gained = fmax(gained, m.kinetic + m.potential - least);
+        tumble_world_step(w);
+    }
+    ck_assert_msg(!tumble_world_failure(w), "%s", tumble_world_failure(w));
+    tumble_world_free(w);
+    return gained / all;
+}
+
+// Rejects: a corner that lies on the floor and keeps others from striking, so that
+// they come through it and are pushed out: up to .0053, and .00037 in the mean.
+START_TEST(a_thrown_box_that_bounces_gains_no_energy)
+{
+    const unsigned throws = 400;
+    double sum = 0, most = 0;
+    for (unsigned n = 0; n < throws; n++) {
+        double gained = energy_gained(1000 * n + 1);
+        sum += gained;
+        most = fmax(most, gained);
+    }
+    ck_assert_msg(most < 0.003, "gains %g", most);
+    ck_assert_msg(sum / throws < 1e-4, "gains %g in the mean", sum / throws);
+}
+END_TEST
+
 int main(void)
 {
-    const TTest *const tests[] = { heavy_ball_stays_on_a_light_cube, NULL };
+    const TTest *const tests[] = { heavy_ball_stays_on_a_light_cube,
+                                   a_thrown_box_that_bounces_gains_no_energy, NULL };
     return suite_run((suite){ .name = "blows", .tests = tests, .seconds = 60 });
 }

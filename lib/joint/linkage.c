@@ -1165,14 +1165,15 @@ static real tree_energy(const linkage *l, const linkage_pass *q, int first, int 
     return sum;
 }
 
-static bool is_far_apart(const linkage *l, int first, int end)
+// (What a load has torn apart was together before, and is no such thing.)
+static bool is_far_apart(linkage *l, int first, int end)
 {
     bool is_far = false;
     for (int s = first; s < end - 1; s++) {
         int k = l->step[s].joint;
-        real deep = CONTACT_DEEP * l->rows[k].size;
-        is_far |= !l->rows[k].is_free
-               && parted_by(&l->joint[k], &l->rows[k]) > deep;
+        joint *j = &l->joint[k];
+        j->has_met |= parted_by(j, &l->rows[k]) <= CONTACT_DEEP * l->rows[k].size;
+        is_far |= !l->rows[k].is_free && !j->has_met;
     }
     return is_far;
 }

@@ -36,8 +36,9 @@ static void wake(world *w, int b)
 }
 
 // And whether they may meet is asked again.
-static void wake_both(world *w, const joint *j)
+static void wake_both(world *w, joint *j)
 {
+    j->has_met = false;
     wake(w, j->a);
     wake(w, j->b);
     w->is_still = false;

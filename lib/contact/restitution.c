@@ -311,12 +311,13 @@ static real time_of_touch(real gap, real closing, real a)
 }
 
 // When do they first strike, as they stand and go at the time x->time?  A share
-// of the substep.  A corner that lies there already does not.
+// of the substep.  A corner that lies there already does not: gravity closes it at
+// half of material_slowest, and halfway between the two no rounding decides.
 static real first_touch(impact *x, const impact_solver *s, real acceleration)
 {
     const impact_pair *p = &x->pair;
     real gap[CONTACT_POINTS], least = HUGE_VAL, h = s->f->h;
-    real slow = h * material_slowest(s->pull, h);
+    real slow = 0.75 * h * material_slowest(s->pull, h);
     find_impact_gaps(x, s, gap);
     for (int k = 0; k < x->c.count; k++) {
         const vec3 arm[BODIES] = { x->arm[k].a, x->arm[k].b };

@@ -70,8 +70,52 @@ static bool is_behind_faces(const obstacle *b, vec3 x)
 // of the way, another one with a part of it, and it began no higher.
 static bool stands_over(const obstacle *b, vec3 x, int k)
 {
-    return b->round == 0 && plane_height(b->plane[k], x) > 0
+    return plane_height(b->plane[k], x) > 0
         && is_behind_faces(b, under(b, x, k).at);
+}
+//<
+
+//> obstacle-over-edge
+// Two planes that meet at less than a thousandth of a radian have no edge that
+// rounding could tell.
+static const real SHARP = 1e-6;
+
+// Of the planes that the foot of x on plane k is in front of, the foremost is
+// the face beyond an edge, if one is.  The point of that edge under x is x less
+// a times the one normal and b times the other.  If it is on the body, and a and
+// b are positive, none is nearer: all of the body is behind the plane through it
+// at right angles to the way to x.
+static bool stands_over_edge(const obstacle *b, vec3 x, int k,
+                             surface_point *out)
+{
+    plane p = b->plane[k];
+    plane q = b->plane[hull_ahead(under(b, x, k).at, b->plane, b->planes)];
+    real up = plane_height(p, x), beyond = plane_height(q, x);
+    real both = vec3_dot(p.normal, q.normal), sine2 = 1 - both * both;
+    real of_p = up - both * beyond, of_q = beyond - both * up;
+    if (!(sine2 > SHARP && of_p > 0 && of_q > 0)) return false;
+    vec3 way = vec3_add_scaled(vec3_scale(of_p / sine2, p.normal),
+                               of_q / sine2, q.normal);
+    *out = (surface_point){ vec3_sub(x, way), vec3_unit(way) };
+    return is_behind_faces(b, out->at);
+}
+//<
+
+//> obstacle-edge
+//>   Over a corner, GJK finds the nearest point, with the particle as a body of
+//>   one point.
+// Over no face: an edge or a corner is nearest.  Of a corner, or an edge that is
+// not seen at once, the query of two bodies finds it, one of them being a point.
+static bool nearest_on_edge(const obstacle *b, vec3 x, int ahead, real reach,
+                            surface_point *out)
+{
+    if (stands_over_edge(b, x, ahead, out))
+        return vec3_dot(vec3_sub(x, out->at), out->normal) <= reach;
+    hull point = { &x, 1 };
+    gjk_result g = gjk_distance(point, b->vertices, reach, NULL);
+    if (g.status != GJK_APART || g.distance > reach) return false;
+    *out = (surface_point){ g.on_b, vec3_scale(1 / g.distance, g.axis) };
+    return true;
 }
 //<
 
@@ -114,13 +158,14 @@ static bool nearest_on_round(const obstacle *b, vec3 x, real reach,
 }
 //<
 
-//> obstacle-nearest
-//>   Over an edge or a corner, and of a rounded hull, whose planes lie a radius
-//>   outside of its core, GJK finds the nearest point of the core, with the
-//>   particle as a body of one point.
-static bool nearest_of_core(const obstacle *b, vec3 x, real reach,
-                            surface_point *out)
+//> obstacle-rounded
+//>   Of a rounded hull the planes lie a radius outside of its core.  What is not
+//>   in the core is out from the core's nearest point.
+static bool nearest_on_rounded(const obstacle *b, vec3 x, int ahead, real reach,
+                               surface_point *out)
 {
+    bool is_known = ahead < b->planes;
+    if (is_known && plane_height(b->plane[ahead], x) > reach) return false;
     real near = reach + b->round;
     gjk_result g = gjk_distance((hull){ &x, 1 }, b->vertices, near, NULL);
     if (g.status == GJK_OVERLAP)
@@ -130,7 +175,9 @@ static bool nearest_of_core(const obstacle *b, vec3 x, real reach,
     *out = (surface_point){ vec3_add_scaled(g.on_b, b->round, normal), normal };
     return g.distance <= near;
 }
+//<
 
+//> obstacle-nearest
 // The commonest answers by far are two: a particle is clear of the plane that
 // it was in front of, or it still stands over that face.
 bool obstacle_nearest(const obstacle *b, vec3 x, int ahead, real reach,
@@ -138,10 +185,16 @@ bool obstacle_nearest(const obstacle *b, vec3 x, int ahead, real reach,
 {
     assert(b->planes > 0 || b->round > 0);
     if (b->planes == 0) return nearest_on_round(b, x, reach, out);
+    if (b->round > 0) return nearest_on_rounded(b, x, ahead, reach, out);
     bool is_known = ahead < b->planes;
     if (is_known && plane_height(b->plane[ahead], x) > reach) return false;
-    if (!is_known || !stands_over(b, x, ahead))
-        return nearest_of_core(b, x, reach, out);
+    if (!is_known || !stands_over(b, x, ahead)) {
+        ahead = hull_ahead(x, b->plane, b->planes);
+        real up = plane_height(b->plane[ahead], x);
+        if (!(up <= reach)) return false;
+        if (up > 0 && !stands_over(b, x, ahead))
+            return nearest_on_edge(b, x, ahead, reach, out);
+    }
     *out = under(b, x, ahead);
     return true;
 }

@@ -1183,8 +1183,8 @@ static void note_energies(linkage *l, const linkage_pass *q)
     for (int first = 0, end; first < l->steps; first = end) {
         end = tree_end(l, first);
         linkage_body *root = &l->body[l->step[end - 1].body];
-        root->brought = is_far_apart(l, first, end)
-                      ? tree_energy(l, q, first, end) : HUGE_VAL;
+        root->hangs_apart = is_far_apart(l, first, end);
+        if (root->hangs_apart) root->brought = tree_energy(l, q, first, end);
     }
 }
 
@@ -1192,9 +1192,9 @@ static void calm_trees(linkage *l, const linkage_pass *q)
 {
     for (int first = 0, end; first < l->steps; first = end) {
         end = tree_end(l, first);
-        real most = l->body[l->step[end - 1].body].brought;
-        if (!(most < HUGE_VAL)) continue;
-        real now = tree_energy(l, q, first, end);
+        const linkage_body *root = &l->body[l->step[end - 1].body];
+        if (!root->hangs_apart) continue;
+        real most = root->brought, now = tree_energy(l, q, first, end);
         real left = now > most ? sqrt(most / now) : 1;
         for (int s = first; s < end; s++)
             for (int i = 0; i < MOTIONS && moves(q->f, l->step[s].body); i++)

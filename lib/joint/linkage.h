@@ -35,8 +35,8 @@ typedef struct {
     bool is_solved;         // it was solved before this move;
     bool is_settled;        // nothing is left to be solved;
     bool is_limited;        // some joint has a limit
-    real brought;           // J, with which its tree began a substep in which it
-                            // hangs far from where it should; or HUGE_VAL
+    bool hangs_apart;       // its tree hangs far from where it should,
+    real brought;           // J, and began the substep with so much
     int  branches, one;     // not yet followed; the last, if there is one
     bool is_done;
     long seen;              // the last frame in which it is joined

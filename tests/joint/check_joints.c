@@ -499,6 +499,15 @@ START_TEST(what_hangs_too_far_comes_without_speed)
         near(world_measure(&w).kinetic, 0, 0.1, "energy, J");
     }
     near(world_joint_gap(&w, j), 0.5, 1e-6, "length");
+    placement far = world_where(&w, b);
+    far.position.x += 2;
+    far.velocity = far.spin = vec3_make(0, 0, 0);
+    expect_ok(world_put(&w, b, far));
+    for (int k = 0; k < 240; k++) {
+        world_step(&w);
+        near(world_measure(&w).kinetic, 0, 0.1, "energy after it was put away, J");
+    }
+    near(world_joint_gap(&w, j), 0.5, 1e-6, "length");
 }
 END_TEST
 

@@ -21,6 +21,7 @@ static unsigned long long seed = 3;
 
 static solver_body body[BODIES];
 static contact table[CONTACTS], *list[CONTACTS];
+static bool is_first[CONTACTS];
 static real reach[CONTACTS], gap[CONTACTS][CONTACT_POINTS];
 static motion velocity[BODIES + 1], moved[BODIES + 1];
 static plane ground = { { 0, 1, 0 }, 0 };
@@ -30,7 +31,7 @@ static solver_frame frame = { .body = body, .bodies = BODIES, .plane = &ground,
 static contact_solver solver;
 static plain_solver plain = { .frame = &frame, .contact = list, .gap = gap,
                               .velocity = velocity, .moved = moved,
-                              .body = body };
+                              .body = body, .is_first = is_first };
 
 // Icosahedra of 1 kg, with a radius of half a metre.
 static void make_bodies(void)
@@ -46,7 +47,7 @@ static void make_bodies(void)
 }
 
 // Each body lies on the one before, beside a few others, and one in five on the
-// ground: three contacts a body, as in a heap.
+// ground: three contacts a body, as in a heap that has been for a while.
 static void make_contacts(int n, int points)
 {
     for (int k = 0; k < n; k++) {
@@ -59,6 +60,7 @@ static void make_contacts(int n, int points)
             c->point[j].local_a = random_vec3(&seed, 0.5);
             c->point[j].local_b = random_vec3(&seed, 0.5);
             c->point[j].offset = 1e-3 * random_real(&seed);
+            c->impulse[j] = 1e-3;
         }
         list[k] = c;
         reach[k] = HUGE_VAL;

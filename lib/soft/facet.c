@@ -32,19 +32,6 @@ static plane guess(const obstacle *b, const vec3 end[FACET])
 //<
 
 //> facet-nearest
-// Nothing is known of it; most are clear of the plane that their first corner is
-// furthest in front of.
-static bool is_seen_clear(const obstacle *b, const vec3 end[FACET], plane *between,
-                          real reach, facet_touch *out)
-{
-    if (vec3_length_squared(between->normal) > 0) return false;
-    plane p = obstacle_plane(b, end[0], hull_ahead(end[0], b->plane, b->planes));
-    *out = (facet_touch){ .gap = facet_height(end, p) };
-    if (!(out->gap > reach)) return false;
-    *between = p;
-    return true;
-}
-
 // The query of two bodies, of the facet moved by so much.
 static gjk_result query_moved(const obstacle *b, const vec3 end[FACET],
                               vec3 by, real reach)
@@ -59,7 +46,6 @@ bool facet_nearest(const obstacle *b, const vec3 end[FACET], plane *between,
                    real reach, facet_touch *out)
 {
     vec3 by = { 0, 0, 0 };
-    if (is_seen_clear(b, end, between, reach, out)) return false;
     gjk_result g = query_moved(b, end, by, reach);
     if (g.status == GJK_OVERLAP) {
         // So far along the normal of the plane that they are surely apart.

@@ -153,7 +153,10 @@ void rigid_view_update(rigid_view *v, const soft_frame *f, int b)
 //<
 
 //> near-facets
-//>   Which facets are listed? Those of which a particle is near enough.
+//>   Which facets are listed? Those whose particles are near enough. But a
+//>   sheet on a flat face must not become a thousand facets: what three
+//>   particles hold off one face needs nothing more, as long as all three stand
+//>   over it and nowhere near its rim.
 // A particle keeps 0.55 of a spacing from a face, and a cell's diagonal over a
 // right-angled edge 0.05: that much, and some more, facets keep from all.  What
 // is about as thin as a cell may be sharp, too, and be through in a substep: it
@@ -181,6 +184,24 @@ static real facet_reach(real reach, const body *soft)
     return sqrt(reach * reach + beside * beside);
 }
 
+// Where a particle is: far from the body; in front of one of its planes, by its
+// number; or over that face and nowhere near its rim.  A facet over a face meets
+// nothing else while the lists are good, and its particles keep it off that.
+enum { OVER_NOTHING = -1 };
+
+static bool is_over_body(const rigid_view *v, vec3 x, int ahead, real inside)
+{
+    if (v->hull.planes == 0) return false;
+    plane face = v->plane[ahead];
+    real up = plane_height(face, x);
+    vec3 foot = vec3_add_scaled(x, -up, face.normal);
+    real rim = inside + 2 * v->hull.round;      // of a face of the core
+    for (int k = 0; k < v->hull.planes; k++)
+        if (k != ahead && !(plane_height(v->plane[k], foot) < -rim))
+            return false;
+    return up > 0;
+}
+
 // In the order in which facets are listed: by the two bodies, by number.
 static int order_facets(const facet_pair *x, const facet_pair *y)
 {
@@ -199,6 +220,33 @@ static plane known_plane(facet_list *last, const facet_pair *x)
     return (plane){ { 0, 0, 0 }, 0 };
 }
 
+// Are all corners over the same face?
+static bool is_over_face(const int *ahead, const int corner_of[FACET])
+{
+    int first = ahead[corner_of[0]];
+    return first % 2 == 1 && ahead[corner_of[1]] == first
+        && ahead[corner_of[2]] == first;
+}
+
+// May a facet with these corners come within reach?  All planes that a corner is
+// in front of are asked; most often it is the same one.
+static bool may_touch_soft(const near_lists *l, const rigid_view *v,
+                           const int corner_of[FACET], real reach)
+{
+    vec3 end[FACET];
+    int asked = OVER_NOTHING;
+    for (int k = 0; k < FACET; k++) end[k] = l->at[corner_of[k]];
+    for (int k = 0; k < FACET; k++) {
+        int ahead = l->ahead[corner_of[k]];
+        bool is_asked = v->hull.planes > 0 && ahead / 2 == asked;
+        if (ahead == OVER_NOTHING || is_asked) continue;
+        asked = ahead / 2;
+        plane under = obstacle_plane(&v->hull, end[k], asked);
+        if (facet_height(end, under) > reach) return false;
+    }
+    return true;
+}
+
 // Room for one facet more, in this list and the next.
 static bool grow_facets(near_lists *l)
 {
@@ -214,16 +262,20 @@ static bool grow_facets(near_lists *l)
     return ok;
 }
 
-static void list_facets(near_lists *l, const soft_frame *f, int a, int b)
+static void list_facets(near_lists *l, const rigid_view *v, const soft_frame *f,
+                        int a, int b)
 {
     const body *soft = &f->body[a];
     const shape *s = soft->shape;
+    real reach = facet_gap(soft, &f->body[b]) + l->margin;
     int facets = s->mesh.faces > 0 ? s->mesh.faces : s->sticks;
     for (int k = 0; k < facets; k++) {
         int end[FACET];
         facet_corners(soft, k, end);
-        const bool *near = l->is_beside;
-        if (!near[end[0]] && !near[end[1]] && !near[end[2]]) continue;
+        const int *ahead = l->ahead;
+        int all = ahead[end[0]] & ahead[end[1]] & ahead[end[2]];
+        if (all == OVER_NOTHING || is_over_face(ahead, end)) continue;
+        if (!may_touch_soft(l, v, end, reach)) continue;
         if (!grow_facets(l)) continue;
         facet_pair pair = { .soft = a, .rigid = b, .number = k };
         pair.between = known_plane(&l->facets_before, &pair);
@@ -252,32 +304,35 @@ static void list_points(near_lists *l, rigid_view *v, const soft_frame *f,
 {
     const body *soft = &f->body[a];
     real reach = soft_gap(soft, &f->body[b]) + l->margin;
-    real wide = real_max(reach, facet_reach(facet_gap(soft, &f->body[b]) + l->margin,
-                                            soft));
+    real facet = facet_gap(soft, &f->body[b]) + l->margin;
+    real wide = real_max(reach, facet_reach(facet, soft));
     real far = f->now[b].radius + wide;
     vec3 center = soft_rigid_frame(f, b).center;
     bool is_ready = false;
     int ahead = 0;
     for (int i = soft->first; i < soft->first + soft->shape->particles; i++) {
         vec3 x = l->at[i];
-        l->is_beside[i] = false;
+        l->ahead[i] = OVER_NOTHING;
         if (vec3_length_squared(vec3_sub(x, center)) > far * far) continue;
         if (!is_ready) rigid_view_update(v, f, b);
         is_ready = true;
         // Most that are far are in front of the plane that the last one was.
         if (v->hull.planes > 0 && plane_height(v->plane[ahead], x) > wide)
             continue;
-        ahead = hull_ahead(x, v->plane, v->hull.planes);
+        int over = is_over_body(v, x, ahead, facet);
+        if (!over) ahead = hull_ahead(x, v->plane, v->hull.planes);
         real up = plane_height(obstacle_plane(&v->hull, x, ahead), x);
         if (up > wide) continue;
-        l->is_beside[i] = true;
+        l->ahead[i] = 2 * ahead;
         if (up > reach) continue;
+        over = over || is_over_body(v, x, ahead, facet);
+        l->ahead[i] += over;
         if (TABLE_ADD(l->point, l->points, l->point_capacity))
-            l->point[l->points++] = (point_pair){ i, a, b, ahead };
+            l->point[l->points++] = (point_pair){ i, a, b, ahead, over };
         else
             l->dropped++;
     }
-    if (is_ready) list_facets(l, f, a, b);
+    if (is_ready) list_facets(l, v, f, a, b);
 }
 //<
 
@@ -522,7 +577,7 @@ static bool make_near_room(near_lists *l, int bodies, int particles)
     if (particle_room > l->particles) {
         TABLE_GROW(ok, l->at, l->particles, particle_room);
         TABLE_GROW(ok, l->listed, l->particles, particle_room);
-        TABLE_GROW(ok, l->is_beside, l->particles, particle_room);
+        TABLE_GROW(ok, l->ahead, l->particles, particle_room);
         if (ok) l->particles = particle_room;
     }
     return ok;
@@ -577,7 +632,7 @@ void near_free(near_lists *l)
     for (int b = 0; b < l->bodies; b++) sphere_tree_free(&l->tree[b]);
     void *owned[] = { l->soft, l->tree, l->ball, l->gap, l->is_near,
                       l->candidate, l->at,
-                      l->listed, l->pair, l->point, l->leaf, l->is_beside, l->met,
+                      l->listed, l->pair, l->point, l->leaf, l->ahead, l->met,
                       l->facet.at, l->facets_before.at };
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) free(owned[i]);
     grid_free(&l->grid);

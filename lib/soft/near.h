@@ -105,6 +105,7 @@ typedef struct {
     int particle;       // of a deformable body, in the pool
     int soft, rigid;    // that body; the rigid one
     int ahead;          // the plane of the rigid one that it was in front of
+    int over;           // 1: and over that face, nowhere near its rim
 } point_pair;
 
 // A triangle or a link that may meet an edge or a corner.
@@ -131,7 +132,7 @@ typedef struct {
     int  facet_capacity;
     int *met, mets;     // those that met one in this substep, or soon may
     int  substeps;      // since the lists were made
-    bool *is_beside;    // [particles] of the rigid body whose facets are listed?
+    int *ahead;         // [particles] while facets are listed, see near.c
     real margin;        // m, how much further than touching the lists look
     bool is_stale;      // they must be made again, or there are none yet
     vec3 *at;           // [particles] for trees and grid

@@ -321,6 +321,19 @@ static bool part_from(const soft_touch *x, answering who)
     return true;
 }
 
+// Over a face and nowhere near its rim, when it was listed, a particle is over
+// it while the lists are good.
+static bool nearest_outside(const obstacle *b, vec3 x, const point_pair *pair,
+                            real reach, surface_point *at)
+{
+    if (!pair->over) return obstacle_nearest(b, x, pair->ahead, reach, at);
+    plane face = b->plane[pair->ahead];
+    real up = plane_height(face, x);
+    if (!(up > 0)) return obstacle_nearest(b, x, pair->ahead, reach, at);
+    *at = (surface_point){ vec3_add_scaled(x, -up, face.normal), face.normal };
+    return up <= reach;
+}
+
 static bool touch_body(const rigid_view *v, const soft_frame *f,
                        point_pair pair, real apart, material m, answering who)
 {
@@ -330,7 +343,7 @@ static bool touch_body(const rigid_view *v, const soft_frame *f,
     bool is_fixed = body_is_fixed(rigid);
     real reach = apart;
     if (is_fixed) reach += vec3_length(f->hold[pair.particle].pull);
-    if (!obstacle_nearest(&v->hull, p->position, pair.ahead, reach, &at)) return false;
+    if (!nearest_outside(&v->hull, p->position, &pair, reach, &at)) return false;
     if (is_fixed) return touch_fixed(f, pair.particle, at, apart, m);
     soft_touch x = { f, v, &f->body[pair.soft], body_whole(rigid, pair.rigid), 1,
                 { pair.particle }, { 1 }, at, apart, m.friction };

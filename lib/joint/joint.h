@@ -123,10 +123,6 @@ typedef struct {
     real pushed[JOINT_ROWS];    // the impulse before the bodies moved, and that
     real older[JOINT_ROWS];     // of the substep before
     real inverse[JOINT_ROWS][JOINT_ROWS];   // of K
-    real answer[JOINT_ROWS][MOTIONS];   // how a unit impulse along a row moves
-                                        // the body that leads on,
-    real back[JOINT_ROWS][MOTIONS];     // and what the joint gives more for a
-                                        // unit impulse on that body
     real give[JOINT_ROWS];      // 1/kg, 1/(kg m^2), what a unit impulse leaves
                                 // of what it should change
     real share;                 // of an error that a substep takes back
@@ -150,7 +146,7 @@ typedef struct {
     real firm[3], resisted[3];  // as hard and kept, of its rows
     real pace;                  // rad/s, of the fastest swing about it in the
                                 // last frame
-    int  next;                  // joint of the same tree; -1: none
+    int  next[2];               // in the lists of A's and B's joints; -1: none
 } joint_rows;
 
 // One of the two bodies: how it may move, and where it stands.

@@ -11,8 +11,8 @@
 
 void linkage_free(linkage *l)
 {
-    void *owned[] = { l->joint, l->rows, l->role, l->step, l->body,
-                      l->apart, l->tied };
+    void *owned[] = { l->joint, l->rows, l->role, l->step, l->group, l->order,
+                      l->reach, l->block, l->body, l->apart, l->tied };
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) free(owned[i]);
     *l = (linkage){ .count = 0 };
 }
@@ -26,12 +26,14 @@ static bool make_joint_room(linkage *l, const joint *j)
         TABLE_GROW(ok, l->joint, n, room);
         TABLE_GROW(ok, l->rows, n, room);
         TABLE_GROW(ok, l->role, n, room);
-        TABLE_GROW(ok, l->step, 2 * n, 2 * room);
+        TABLE_GROW(ok, l->step, n, room);
+        TABLE_GROW(ok, l->group, n, room);
         TABLE_GROW(ok, l->apart, n, room);
         if (ok) l->capacity = room;
     }
     if (bodies > l->bodies) {
         TABLE_GROW(ok, l->body, l->bodies, bodies);
+        TABLE_GROW(ok, l->order, l->bodies, bodies);
         if (ok) l->bodies = bodies;
     }
     return ok;
@@ -432,15 +434,17 @@ static void begin_drives(linkage *l, const linkage_pass *q)
 
 //> linkage-alone
 //>   A joint can be solved by itself, as in the exercise of chapter 13. This is
-//>   the plain form. Joints that close a ring are solved like this, and with
-//>   `is_plain` all are, to measure what the trees are worth.
+//>   the plain form. What is too wide to be solved at once is solved like this,
+//>   and with `is_plain` all is, to measure what that is worth.
 // A joint gives way as a spring does, by a share of its own K in a substep.  It
 // must: where bodies form a ring, or hang between two walls, some rows say the
 // same twice, and a joint without any give would bear whatever rounding says.
-// Those that stand alone are softer, for passes to be able to bring them to
-// terms.
 static const real GIVE = 1e-4;              // tuned, of K
-static const real GIVE_ALONE = 0.3;         // tuned, of K
+
+// Those that stand alone are springs, critically damped, or passes would not bring
+// them to terms: such a one turns by so much in a substep.  Half of it lets a net of
+// 400 balls hang open by four radii; with double it gains a tenth of its energy.
+static const real TURN_ALONE = 1.8;         // tuned, rad
 
 static void factor_alone(linkage *l, const linkage_pass *q, int number)
 {
@@ -451,7 +455,7 @@ static void factor_alone(linkage *l, const linkage_pass *q, int number)
     for (int k = 0; k < r->count; k++) {
         for (int i = 0; i < r->count; i++)
             r->inverse[k][i] = joint_coupling(r->count, r, k, i, mass_a, mass_b);
-        r->give[k] = GIVE_ALONE * r->inverse[k][k];
+        r->give[k] = r->inverse[k][k] / (TURN_ALONE * (2 + TURN_ALONE));
         r->inverse[k][k] += r->give[k];
     }
     if (j->extra > 0) actuator_weigh(j, r, r->count, r->inverse);
@@ -534,37 +538,26 @@ static void solve_alone(linkage *l, const linkage_pass *q, int number,
 }
 //<
 
-//> linkage-tree
+//> linkage-graph
 // The body at the other end of a joint.
 static int other_end(const joint *j, int b)
 {
     return j->a + j->b - b;
 }
 
-static int tree_of(linkage *l, int b)
+// The joint after k in the list of body b.
+static int *next_of(linkage *l, int k, int b)
 {
-    while (l->body[b].group != b) {
-        l->body[b].group = l->body[l->body[b].group].group;
-        b = l->body[b].group;
-    }
-    return b;
+    return &l->rows[k].next[l->joint[k].a != b];
 }
 
 static void reset_body(linkage *l, int b)
 {
     if (b < 0) return;
     linkage_body *x = &l->body[b];
-    x->group = b;
-    x->first = -1;
-    x->branches = x->one = 0;
-    x->is_done = false;
+    x->first = x->step = x->place = -1;
+    x->left = 0;
     x->seen = l->frames;
-}
-
-static void add_branch(linkage *l, int b, int k)
-{
-    l->body[b].branches++;
-    l->body[b].one ^= k;    // when one is left, it stands here
 }
 
 // Is one of its bodies, of which one yields, among those that are solved now?
@@ -573,169 +566,333 @@ static bool is_in(const linkage_pass *q, const joint *j)
     return !q->rung || q->rung[yielding(q->f, j)] == q->of;
 }
 
-// A joint that would close a ring stands alone.  One of which neither end yields
-// has nothing to move: its impulses would grow in every substep.
-static joint_role choose_role(linkage *l, const linkage_pass *q, int k)
+// One of which neither end yields has nothing to move: its impulses would grow in
+// every substep.
+static joint_role choose_role(const linkage *l, const linkage_pass *q, int k)
 {
     const joint *j = &l->joint[k];
-    bool moves_a = moves(q->f, j->a), moves_b = moves(q->f, j->b);
     if (!joint_holds(j) || j->kind == JOINT_PIN
         || (!yields(q->f, j->a) && !yields(q->f, j->b)) || !is_in(q, j))
         return JOINT_IDLE;
-    if (l->is_plain) return JOINT_ALONE;
-    if (!moves_a || !moves_b) return JOINT_ANCHOR;
-    int a = tree_of(l, j->a), b = tree_of(l, j->b);
-    if (a == b) return JOINT_ALONE;
-    l->body[b].group = a;
-    add_branch(l, j->a, k);
-    add_branch(l, j->b, k);
-    return JOINT_BRANCH;
+    return l->is_plain ? JOINT_ALONE : JOINT_SOLVED;
 }
 
-// From a tip as far as there is one way to go.
-static void follow(linkage *l, const linkage_pass *q, int b)
+static void add_to_list(linkage *l, const linkage_pass *q, int b, int k)
 {
-    while (moves(q->f, b) && !l->body[b].is_done && l->body[b].branches <= 1) {
-        linkage_body *x = &l->body[b];
-        int k = x->branches ? x->one : -1;
-        int on = k < 0 ? -1 : other_end(&l->joint[k], b);
-        l->step[l->steps++] = (linkage_step){ b, k, on };
-        x->is_done = true;
-        if (k < 0) return;
-        b = on;
-        l->body[b].branches--;
-        l->body[b].one ^= k;
+    if (!moves(q->f, b)) return;
+    *next_of(l, k, b) = l->body[b].first;
+    l->body[b].first = k;
+    l->body[b].left++;
+}
+//<
+
+//> linkage-order
+//>   A body is solved before those that are nearer to the root: so in a tree each
+//>   waits for all that hangs on it, and in a ring two fronts come together.
+// The bodies that are joined to root, and it: from it outwards.  Returns where they
+// end.
+static int spread(linkage *l, const linkage_pass *q, int root, int first)
+{
+    int end = first;
+    l->order[end++] = root;
+    l->body[root].place = first;
+    for (int i = first; i < end; i++) {
+        int b = l->order[i];
+        for (int k = l->body[b].first; k >= 0; k = *next_of(l, k, b)) {
+            int on = other_end(&l->joint[k], b);
+            if (!moves(q->f, on) || l->body[on].place >= 0) continue;
+            l->body[on].place = end;
+            l->order[end++] = on;
+        }
     }
+    return end;
 }
 
-// The steps of a tree with this first joint stand together, its root last.  An
-// anchor's tip is the world.
-static void lay_tree(linkage *l, const linkage_pass *q, int first)
+// Its root is one of those that are furthest from body b: what is long is narrow from
+// there.
+static int order_group(linkage *l, const linkage_pass *q, int b, int first)
 {
-    for (int k = first; k >= 0; k = l->rows[k].next) {
-        const joint *j = &l->joint[k];
-        if (l->role[k] == JOINT_ANCHOR)
-            l->step[l->steps++] = (linkage_step){
-                -1, k, moves(q->f, j->a) ? j->a : j->b };
+    int end = spread(l, q, b, first), root = l->order[end - 1];
+    for (int i = first; i < end; i++) l->body[l->order[i]].place = -1;
+    return spread(l, q, root, first);
+}
+//<
+
+//> linkage-front
+// So many bodies may wait at once.  Each joint has to tell all of them: with so many
+// it takes ten times as long as in a chain.
+enum { FRONT_MOST = 8 };                    // tuned, bodies
+enum { FRONT_ROOM = 2 * FRONT_MOST + 2 };
+
+// Body b waits for its other joints, if it has any.
+static bool wait_in(linkage *l, linkage_step *s, int b)
+{
+    if (l->body[b].left == 0) return true;
+    if (s->count == FRONT_MOST) return false;
+    if (!TABLE_ADD(l->reach, l->reaches, l->reach_room)) return false;
+    l->reach[l->reaches++].body = b;
+    s->count++;
+    return true;
+}
+
+// The step that solves joint k.  False if it would be too wide, or memory is refused.
+static bool add_step(linkage *l, const linkage_pass *q, int k)
+{
+    const joint *j = &l->joint[k];
+    linkage_step s = { .joint = k, .first = l->reaches, .block = l->blocks };
+    s.a = moves(q->f, j->a) ? j->a : -1;
+    s.b = moves(q->f, j->b) ? j->b : -1;
+    int end[2] = { s.a, s.b };
+    bool ok = true;
+    for (int e = 0; e < 2; e++) {
+        s.from[e] = end[e] < 0 ? -1 : l->body[end[e]].step;
+        if (end[e] >= 0) l->body[end[e]].left--;
     }
-    for (int k = first; k >= 0; k = l->rows[k].next) {
-        follow(l, q, l->joint[k].a);
-        follow(l, q, l->joint[k].b);
+    for (int e = 0; e < 2; e++) {
+        if (s.from[e] < 0 && end[e] >= 0) ok &= wait_in(l, &s, end[e]);
+        if (s.from[e] < 0 || (e == 1 && s.from[1] == s.from[0])) continue;
+        const linkage_step *was = &l->step[s.from[e]];
+        for (int i = 0; i < was->count; i++)
+            ok = ok && wait_in(l, &s, l->reach[was->first + i].body);
     }
+    l->blocks += s.count * s.count;
+    int room = table_room(l->blocks, l->block_room);
+    if (room > l->block_room) TABLE_GROW(ok, l->block, l->block_room, room);
+    if (ok) l->block_room = room;
+    for (int i = 0; i < s.count; i++)
+        l->body[l->reach[s.first + i].body].step = l->steps;
+    l->step[l->steps++] = s;
+    return ok;
+}
+
+static bool add_steps(linkage *l, const linkage_pass *q, const linkage_group *g)
+{
+    for (int i = g->end_body - 1; i >= g->first_body; i--) {
+        int b = l->order[i];
+        for (int k = l->body[b].first; k >= 0; k = *next_of(l, k, b)) {
+            int on = other_end(&l->joint[k], b);
+            if (moves(q->f, on) && l->body[on].place > i) continue;
+            if (!add_step(l, q, k)) return false;
+        }
+    }
+    return true;
+}
+
+// What is too wide stands alone, joint by joint.
+static void add_group(linkage *l, const linkage_pass *q, int b)
+{
+    int bodies = l->groups ? l->group[l->groups - 1].end_body : 0;
+    linkage_group g = { .first = l->steps, .first_body = bodies };
+    int reaches = l->reaches, blocks = l->blocks;
+    g.end_body = order_group(l, q, b, bodies);
+    bool ok = add_steps(l, q, &g);
+    g.end = l->steps;
+    if (ok) {
+        l->group[l->groups++] = g;
+        return;
+    }
+    for (int i = g.first_body; i < g.end_body; i++) {
+        int x = l->order[i];
+        for (int k = l->body[x].first; k >= 0; k = *next_of(l, k, x))
+            l->role[k] = JOINT_ALONE;
+    }
+    l->steps = g.first;
+    l->reaches = reaches;
+    l->blocks = blocks;
 }
 
 static void choose_roles(linkage *l, const linkage_pass *q)
 {
+    l->steps = l->groups = l->reaches = l->blocks = 0;
+    l->is_stale = false;
     for (int k = 0; k < l->count; k++) {
         if (!joint_holds(&l->joint[k])) continue;
         reset_body(l, l->joint[k].a);
         reset_body(l, l->joint[k].b);
     }
-    for (int k = 0; k < l->count; k++) l->role[k] = choose_role(l, q, k);
-    l->steps = 0;
-    l->is_stale = false;
     for (int k = l->count - 1; k >= 0; k--) {
-        const joint *j = &l->joint[k];
-        if (l->role[k] < JOINT_ANCHOR) continue;
-        int tree = tree_of(l, moves(q->f, j->a) ? j->a : j->b);
-        l->rows[k].next = l->body[tree].first;
-        l->body[tree].first = k;
+        l->role[k] = choose_role(l, q, k);
+        if (l->role[k] != JOINT_SOLVED) continue;
+        add_to_list(l, q, l->joint[k].a, k);
+        add_to_list(l, q, l->joint[k].b, k);
     }
     for (int k = 0; k < l->count; k++) {
         const joint *j = &l->joint[k];
-        if (l->role[k] < JOINT_ANCHOR) continue;
-        int tree = tree_of(l, moves(q->f, j->a) ? j->a : j->b);
-        if (l->body[tree].first == k) lay_tree(l, q, k);
+        int b = moves(q->f, j->a) ? j->a : j->b;
+        if (l->role[k] == JOINT_SOLVED && l->body[b].place < 0) add_group(l, q, b);
     }
 }
 //<
 
 //> linkage-factor
-static real (*rows_at(joint_rows *r, const joint *j, int b))[MOTIONS]
-{
-    return j->a == b ? r->a : r->b;
-}
+// A body of the front in which a joint is solved: the step that it waited in (-1: in
+// none), and its place there.
+typedef struct {
+    int body, step, at;
+    real (*answer)[MOTIONS];    // [rows] to impulses along the joint's rows
+} front_body;
 
-static void reset_answers(linkage_body *x, const linkage_pass *q, int b)
+typedef struct {
+    int count, a, b;        // where the joint's bodies are; -1: none moves
+    front_body of[FRONT_ROOM];
+    linkage_block own[2];   // of those that waited in no step
+    real leaves[2][JOINT_ROWS][MOTIONS];    // answers of those that do not stay
+    int stays[FRONT_MOST];  // where those are that do
+} front;
+
+static int add_own(front *x, const linkage_pass *q, int b)
 {
+    int n = x->count++, own = n > 0 && x->of[0].step < 0;
     real inverse = basis_of(q->f, b)->inverse_mass;
+    x->of[n].body = b;
+    x->of[n].step = -1;
+    x->of[n].at = own;
     for (int i = 0; i < MOTIONS; i++)
         for (int m = 0; m < MOTIONS; m++)
-            x->answer[i][m] = i != m ? 0 : i < MOTION_TURN ? inverse : 1;
+            x->own[own].of[i][m] = i != m ? 0 : i < MOTION_TURN ? inverse : 1;
+    return n;
 }
 
-// How a body answers impulses along rows, and what that adds to K.
-ALWAYS_INLINE void find_answers(int n, const linkage_body *x,
-                                real (*row)[MOTIONS],
-                                real answer[JOINT_ROWS][MOTIONS],
-                                real k[JOINT_ROWS][JOINT_ROWS])
+// All that waited in step `from`; returns where body b stands.
+static int add_waiting(front *x, const linkage *l, int from, int b)
 {
-    for (int a = 0; a < n; a++) {
-        real sum[MOTIONS] = { 0 };
-        for (int i = straight_first(n, a); i < straight_end(n, a); i++)
-            for (int m = 0; m < MOTIONS; m++)
-                sum[m] += row[a][i] * x->answer[i][m];
-        for (int i = MOTION_TURN; i < MOTIONS; i++)
-            for (int m = 0; m < MOTIONS; m++)
-                sum[m] += row[a][i] * x->answer[i][m];
-        memcpy(answer[a], sum, sizeof sum);
-        for (int b = 0; b <= a; b++)
-            k[b][a] = k[a][b] += rows_dot(n, b, row[b], sum);
+    const linkage_step *s = &l->step[from];
+    int found = -1;
+    for (int i = 0; i < s->count; i++) {
+        front_body *y = &x->of[x->count];
+        y->body = l->reach[s->first + i].body;
+        y->step = from;
+        y->at = i;
+        if (y->body == b) found = x->count;
+        x->count++;
+    }
+    return found;
+}
+
+static int find_in(const front *x, int b)
+{
+    int i = 0;
+    while (x->of[i].body != b) i++;
+    return i;
+}
+
+// In the order in which they were told to wait.
+static void gather(front *x, linkage *l, const linkage_pass *q, const linkage_step *s)
+{
+    x->count = 0;
+    x->a = s->a < 0 ? -1 : s->from[0] < 0 ? add_own(x, q, s->a)
+                         : add_waiting(x, l, s->from[0], s->a);
+    if (s->b < 0)               x->b = -1;
+    else if (s->from[1] < 0)    x->b = add_own(x, q, s->b);
+    else if (s->from[1] == s->from[0]) x->b = find_in(x, s->b);
+    else                        x->b = add_waiting(x, l, s->from[1], s->b);
+    for (int i = 0, stay = 0; i < x->count; i++) {
+        linkage_reach *y = &l->reach[s->first + stay];
+        bool stays = stay < s->count && y->body == x->of[i].body;
+        x->of[i].answer = stays ? y->answer : x->leaves[i - stay];
+        if (stays) x->stays[stay++] = i;
     }
 }
 
-// K of a joint: its own give, the answer of the tree beyond it, and that of the
-// body that leads on, which then answers less, by what the joint holds back.
-ALWAYS_INLINE void factor(int n, const linkage_pass *q, linkage_body *tip,
-                          linkage_body *on, const joint *j, joint_rows *r,
-                          real (*row)[MOTIONS], real (*row_on)[MOTIONS])
+// How number k of the front answers impulses on number i; NULL: not at all.
+static const linkage_block *block_of(const linkage *l, const front *x, int i, int k)
 {
-    real beyond[JOINT_ROWS][MOTIONS];
+    if (i < 0) return NULL;
+    const front_body *y = &x->of[i], *z = &x->of[k];
+    if (y->step != z->step) return NULL;
+    if (y->step < 0) return i == k ? &x->own[y->at] : NULL;
+    const linkage_step *s = &l->step[y->step];
+    return &l->block[s->block + y->at * s->count + z->at];
+}
+
+ALWAYS_INLINE void add_answers(int n, real (*row)[MOTIONS], const linkage_block *x,
+                               real answer[JOINT_ROWS][MOTIONS])
+{
+    for (int a = 0; a < n; a++) {
+        real sum[MOTIONS];
+        memcpy(sum, answer[a], sizeof sum);
+        for (int i = straight_first(n, a); i < straight_end(n, a); i++)
+            for (int m = 0; m < MOTIONS; m++) sum[m] += row[a][i] * x->of[i][m];
+        for (int i = MOTION_TURN; i < MOTIONS; i++)
+            for (int m = 0; m < MOTIONS; m++) sum[m] += row[a][i] * x->of[i][m];
+        memcpy(answer[a], sum, sizeof sum);
+    }
+}
+
+ALWAYS_INLINE void find_answers(int n, const linkage *l, front *x, joint_rows *r)
+{
+    for (int i = 0; i < x->count; i++) {
+        const linkage_block *a = block_of(l, x, x->a, i), *b = block_of(l, x, x->b, i);
+        memset(x->of[i].answer, 0, (size_t)n * sizeof *x->of[i].answer);
+        if (a) add_answers(n, r->a, a, x->of[i].answer);
+        if (b) add_answers(n, r->b, b, x->of[i].answer);
+    }
+}
+
+ALWAYS_INLINE void add_couplings(int n, real (*row)[MOTIONS],
+                                 real answer[JOINT_ROWS][MOTIONS],
+                                 real k[JOINT_ROWS][JOINT_ROWS])
+{
+    for (int a = 0; a < n; a++)
+        for (int b = 0; b <= a; b++)
+            k[b][a] = k[a][b] += rows_dot(n, b, row[b], answer[a]);
+}
+
+// Those that stay answer less, by what the joint holds back.
+ALWAYS_INLINE void keep_front(int n, linkage *l, const linkage_step *s,
+                              const front *x, const joint_rows *r)
+{
+    linkage_reach *y = &l->reach[s->first];
+    for (int i = 0; i < s->count; i++)
+        for (int k = 0; k < n; k++) {
+            real less[JOINT_ROWS];
+            for (int m = 0; m < n; m++) less[m] = -r->inverse[k][m];
+            memset(y[i].back[k], 0, sizeof y[i].back[k]);
+            drive_by(y[i].back[k], n, y[i].answer, less);
+        }
+    for (int i = 0; i < s->count; i++)
+        for (int k = 0; k < s->count; k++) {
+            const linkage_block *was = block_of(l, x, x->stays[i], x->stays[k]);
+            linkage_block *now = &l->block[s->block + i * s->count + k];
+            if (was) *now = *was;
+            else     memset(now, 0, sizeof *now);
+            for (int m = 0; m < MOTIONS; m++) {
+                real moved[JOINT_ROWS];
+                for (int c = 0; c < n; c++) moved[c] = y[i].answer[c][m];
+                drive_by(now->of[m], n, y[k].back, moved);
+            }
+        }
+}
+
+// K of a joint: its own give, and how the front answers it.
+ALWAYS_INLINE void factor(int n, linkage *l, const linkage_pass *q,
+                          const linkage_step *s)
+{
+    const joint *j = &l->joint[s->joint];
+    joint_rows *r = &l->rows[s->joint];
     real mass_a = basis_of(q->f, j->a)->inverse_mass;
     real mass_b = basis_of(q->f, j->b)->inverse_mass;
+    front x;
+    gather(&x, l, q, s);
     for (int k = 0; k < n; k++) {
         for (int i = 0; i < n; i++) r->inverse[k][i] = 0;
         r->inverse[k][k] = r->give[k] = GIVE * joint_coupling(n, r, k, k, mass_a,
                                                               mass_b);
     }
-    if (tip) find_answers(n, tip, row, beyond, r->inverse);
-    find_answers(n, on, row_on, r->answer, r->inverse);
+    find_answers(n, l, &x, r);
+    if (x.a >= 0) add_couplings(n, r->a, x.of[x.a].answer, r->inverse);
+    if (x.b >= 0) add_couplings(n, r->b, x.of[x.b].answer, r->inverse);
     if (j->extra > 0) actuator_weigh(j, r, n, r->inverse);
     small_invert(n, r->inverse);
-    for (int k = 0; k < n; k++) {
-        real back[MOTIONS] = { 0 }, less[JOINT_ROWS];
-        for (int i = 0; i < n; i++) less[i] = -r->inverse[k][i];
-        drive_by(back, n, r->answer, less);
-        memcpy(r->back[k], back, sizeof back);
-    }
-    for (int i = 0; i < MOTIONS; i++) {
-        real moved[JOINT_ROWS];
-        for (int k = 0; k < n; k++) moved[k] = r->answer[k][i];
-        drive_by(on->answer[i], n, r->back, moved);
-    }
+    keep_front(n, l, s, &x, r);
 }
 
-// The steps from `first` on that are of one tree end before this one.
-static int tree_end(const linkage *l, int first)
+static void factor_group(linkage *l, const linkage_pass *q, const linkage_group *g)
 {
-    while (l->step[first].joint >= 0) first++;
-    return first + 1;
-}
-
-static void factor_tree(linkage *l, const linkage_pass *q, int first, int end)
-{
-    for (int s = first; s < end; s++)
-        if (l->step[s].body >= 0)
-            reset_answers(&l->body[l->step[s].body], q, l->step[s].body);
-    for (int s = first; s < end - 1; s++) {
-        int b = l->step[s].body, k = l->step[s].joint, on = l->step[s].on;
-        linkage_body *tip = b < 0 ? NULL : &l->body[b], *x = &l->body[on];
-        const joint *j = &l->joint[k];
-        joint_rows *r = &l->rows[k];
-        real (*row)[MOTIONS] = rows_at(r, j, b);
-        real (*row_on)[MOTIONS] = rows_at(r, j, on);
-        if (r->count == 3)  factor(3, q, tip, x, j, r, row, row_on);
-        else                factor(r->count, q, tip, x, j, r, row, row_on);
+    for (int i = g->first; i < g->end; i++) {
+        int n = l->rows[l->step[i].joint].count;
+        if (n == 3) factor(3, l, q, &l->step[i]);
+        else        factor(n, l, q, &l->step[i]);
     }
 }
 //<
@@ -744,59 +901,58 @@ static void factor_tree(linkage *l, const linkage_pass *q, int first, int end)
 //>   And here are the two walks. The velocities that they find are not given to
 //>   the bodies. Only the impulses are, each to A and its opposite to B, so
 //>   momentum stays to rounding, however inexact the matrices are.
-// What a joint wants, and the bodies on both sides do not do already.  The body
-// that leads on gets the impulse for that, as if no joint that comes later held it.
+// What a joint wants, and its bodies do not do already.  Those that wait get the
+// impulse for that, as if no joint that comes later held them.
 static inline void solve_inward(int n, linkage *l, const linkage_step *s)
 {
-    const joint *j = &l->joint[s->joint];
     joint_rows *r = &l->rows[s->joint];
-    linkage_body *on = &l->body[s->on];
-    if (s->body >= 0)
-        take_speed(r->want, n, rows_at(r, j, s->body), l->body[s->body].speed);
-    take_speed(r->want, n, rows_at(r, j, s->on), on->speed);
+    if (s->a >= 0) take_speed(r->want, n, r->a, l->body[s->a].speed);
+    if (s->b >= 0) take_speed(r->want, n, r->b, l->body[s->b].speed);
     small_times(n, r->inverse, r->want);
-    drive_by(on->speed, n, r->answer, r->want);
+    for (int i = s->first; i < s->first + s->count; i++)
+        drive_by(l->body[l->reach[i].body].speed, n, l->reach[i].answer, r->want);
 }
 
-// Now it is known what the later joints give the body that leads on: of that the
-// joint holds its part.
+// Now it is known what the later joints give those that waited: of that the joint
+// holds its part.
 static inline void solve_outward(int n, linkage *l, const linkage_step *s)
 {
     joint *j = &l->joint[s->joint];
     joint_rows *r = &l->rows[s->joint];
-    linkage_body *on = &l->body[s->on];
-    for (int k = 0; k < n; k++)
-        for (int i = 0; i < MOTIONS; i++)
-            r->want[k] += r->back[k][i] * on->impulse[i];
-    drive_by(on->impulse, n, rows_at(r, j, s->on), r->want);
-    if (s->body >= 0)
-        drive_by(l->body[s->body].impulse, n, rows_at(r, j, s->body), r->want);
+    for (int i = s->first; i < s->first + s->count; i++) {
+        const linkage_reach *y = &l->reach[i];
+        for (int k = 0; k < n; k++)
+            for (int m = 0; m < MOTIONS; m++)
+                r->want[k] += y->back[k][m] * l->body[y->body].impulse[m];
+    }
+    if (s->a >= 0) drive_by(l->body[s->a].impulse, n, r->a, r->want);
+    if (s->b >= 0) drive_by(l->body[s->b].impulse, n, r->b, r->want);
     for (int i = 0; i < n; i++) {
         j->impulse[i] += r->want[i];
         r->since[i] += r->want[i];
     }
 }
 
-static void solve_tree(linkage *l, const linkage_pass *q, int first, int end)
+static void solve_group(linkage *l, const linkage_pass *q, const linkage_group *g)
 {
     const linkage_step *s = l->step;
-    for (int k = first; k < end; k++) {
-        if (s[k].body < 0) continue;
-        memset(l->body[s[k].body].speed, 0, sizeof l->body->speed);
-        memset(l->body[s[k].body].impulse, 0, sizeof l->body->impulse);
+    for (int i = g->first_body; i < g->end_body; i++) {
+        linkage_body *x = &l->body[l->order[i]];
+        memset(x->speed, 0, sizeof x->speed);
+        memset(x->impulse, 0, sizeof x->impulse);
     }
-    for (int k = first; k < end - 1; k++) {
+    for (int k = g->first; k < g->end; k++) {
         int n = l->rows[s[k].joint].count;
         if (n == 3) solve_inward(3, l, &s[k]);
         else        solve_inward(n, l, &s[k]);
     }
-    for (int k = end - 2; k >= first; k--) {
+    for (int k = g->end - 1; k >= g->first; k--) {
         int n = l->rows[s[k].joint].count;
         if (n == 3) solve_outward(3, l, &s[k]);
         else        solve_outward(n, l, &s[k]);
     }
-    for (int k = first; k < end; k++)
-        if (s[k].body >= 0) apply_impulse(q, s[k].body, l->body[s[k].body].impulse);
+    for (int i = g->first_body; i < g->end_body; i++)
+        apply_impulse(q, l->order[i], l->body[l->order[i]].impulse);
 }
 //<
 
@@ -814,23 +970,22 @@ static const real MISS = 1e-6;              // tuned, sizes
 enum { LIMIT_ROUNDS = 4 };                  // tuned, rounds
 
 // Are all where they were when this was last asked?
-static bool find_ends(linkage *l, const linkage_pass *q, int first, int end)
+static bool find_ends(linkage *l, const linkage_pass *q, const linkage_group *g)
 {
     bool are_known = true;
-    for (int s = first; s < end; s++)
-        if (l->step[s].body >= 0) are_known &= find_end(l, q, l->step[s].body);
+    for (int i = g->first_body; i < g->end_body; i++)
+        are_known &= find_end(l, q, l->order[i]);
     return are_known;
 }
 
-// What a tree was given while a row of it held that does not: a motor that is asked
+// What a group was given while a row of it held that does not: a motor that is asked
 // for a speed, and cannot reach it, is answered by all other joints.  They take that
 // back, or a light body between them would spin away with it.
-static void take_back(linkage *l, const linkage_pass *q, int first, int end)
+static void take_back(linkage *l, const linkage_pass *q, const linkage_group *g)
 {
-    for (int s = first; s < end; s++) {
+    for (int s = g->first; s < g->end; s++) {
         int k = l->step[s].joint;
         real back[JOINT_ROWS];
-        if (k < 0) continue;
         for (int i = 0; i < JOINT_ROWS; i++) {
             back[i] = -l->rows[k].since[i];
             l->rows[k].since[i] = 0;
@@ -838,28 +993,26 @@ static void take_back(linkage *l, const linkage_pass *q, int first, int end)
         }
         push_both(q, &l->joint[k], &l->rows[k], back);
     }
-    find_ends(l, q, first, end);
+    find_ends(l, q, g);
 }
 
-static bool switch_limits(linkage *l, const linkage_pass *q, int first, int end,
+static bool switch_limits(linkage *l, const linkage_pass *q, const linkage_group *g,
                           bias_function *what)
 {
     bool has_changed = false;
-    for (int s = first; s < end; s++)
-        if (l->step[s].joint >= 0)
-            has_changed |= switch_limit(l, q, l->step[s].joint, what);
-    if (has_changed) take_back(l, q, first, end);
+    for (int s = g->first; s < g->end; s++)
+        has_changed |= switch_limit(l, q, l->step[s].joint, what);
+    if (has_changed) take_back(l, q, g);
     return has_changed;
 }
 
 // Returns by how much the worst joint will miss it, as a share of its size.
-static real find_biases(linkage *l, const linkage_pass *q, int first, int end,
+static real find_biases(linkage *l, const linkage_pass *q, const linkage_group *g,
                         bias_function *what)
 {
     real worst = 0;
-    for (int s = first; s < end; s++) {
+    for (int s = g->first; s < g->end; s++) {
         int k = l->step[s].joint;
-        if (k < 0) continue;
         joint_rows *r = &l->rows[k];
         what(l, q, k, r->want);
         for (int i = 0; i < r->count; i++) {
@@ -871,28 +1024,27 @@ static real find_biases(linkage *l, const linkage_pass *q, int first, int end,
 }
 
 // Solved once, and again while a joint will miss what it wants by too much.
-static void settle_tree(linkage *l, const linkage_pass *q, int first, int end,
-                        bias_function *what, int rounds, real rough)
+static void settle_group(linkage *l, const linkage_pass *q, linkage_group *g,
+                         bias_function *what, int rounds, real rough)
 {
-    linkage_body *root = &l->body[l->step[end - 1].body];
     bool is_last = what == bias_position || what == bias_driven_position;
-    for (int s = first; s < end - 1 && root->is_limited; s++)
+    for (int s = g->first; s < g->end && g->is_limited; s++)
         memset(l->rows[l->step[s].joint].since, 0, sizeof l->rows->since);
     for (int n = 0; n < rounds + LIMIT_ROUNDS; n++) {
-        if (n >= rounds && !root->is_limited) return;
-        bool is_known = is_last && find_ends(l, q, first, end);
-        if (is_known && root->is_settled) return;
-        bool has_changed = root->is_limited
-                        && switch_limits(l, q, first, end, what);
-        real missed = find_biases(l, q, first, end, what);
-        bool is_settled = (n > 0 || root->is_solved) && missed <= MISS;
-        root->is_settled = is_settled && is_last;
+        if (n >= rounds && !g->is_limited) return;
+        bool is_known = is_last && find_ends(l, q, g);
+        if (is_known && g->is_settled) return;
+        bool has_changed = g->is_limited
+                        && switch_limits(l, q, g, what);
+        real missed = find_biases(l, q, g, what);
+        bool is_settled = (n > 0 || g->is_solved) && missed <= MISS;
+        g->is_settled = is_settled && is_last;
         if (!has_changed && (is_settled || n >= rounds)) return;
-        if (has_changed || !root->is_ready) factor_tree(l, q, first, end);
-        root->is_ready = true;
-        root->is_solved = is_last;
-        solve_tree(l, q, first, end);
-        if (missed <= rough && !root->is_limited) return;
+        if (has_changed || !g->is_ready) factor_group(l, q, g);
+        g->is_ready = true;
+        g->is_solved = is_last;
+        solve_group(l, q, g);
+        if (missed <= rough && !g->is_limited) return;
     }
 }
 
@@ -905,10 +1057,8 @@ static void settle_bounds(linkage *l, const linkage_pass *q,
         int k = l->is_backward ? l->count - 1 - i : i;
         if (l->role[k] == JOINT_ALONE) solve_alone(l, q, k, what);
     }
-    for (int first = 0, end; first < l->steps; first = end) {
-        end = tree_end(l, first);
-        settle_tree(l, q, first, end, what, rounds, rough);
-    }
+    for (int k = 0; k < l->groups; k++)
+        settle_group(l, q, &l->group[k], what, rounds, rough);
 }
 //<
 
@@ -967,6 +1117,8 @@ static void find_rows_of(linkage *l, const linkage_pass *q, int k)
     r->count = r->held + (j->is_limited && j->impulse[r->held] > 0)
              + j->extra;
     r->share = correction_share(l, k, q->f);
+    if (l->role[k] == JOINT_ALONE)
+        r->share = real_min(r->share, TURN_ALONE / (2 + TURN_ALONE));
     l->worst = real_max(l->worst, parted_by(j, r));
     l->parted += parted_by(j, r) > STRAINED * r->size || tilted_by(r) > STRAINED;
     if (l->role[k] == JOINT_ALONE) factor_alone(l, q, k);
@@ -978,11 +1130,8 @@ static void find_rows(linkage *l, const linkage_pass *q)
     l->parted = 0;
     for (int k = 0; k < l->count; k++)
         if (l->role[k] != JOINT_IDLE) find_rows_of(l, q, k);
-    for (int s = 0; s < l->steps; s++)
-        if (l->step[s].joint < 0) {
-            linkage_body *root = &l->body[l->step[s].body];
-            root->is_ready = root->is_solved = root->is_settled = false;
-        }
+    for (linkage_group *g = l->group; g < l->group + l->groups; g++)
+        g->is_ready = g->is_solved = g->is_settled = false;
 }
 
 // A body that a force holds at the end of its arm swings about its centre: the
@@ -1012,16 +1161,15 @@ static real joined_size(const linkage_pass *q, int b)
 }
 
 // Has it limits?  Does what no pull moves hold it?
-static void find_tree(linkage *l, const linkage_pass *q, int first, int end)
+static void find_group(linkage *l, const linkage_pass *q, linkage_group *g)
 {
-    bool is_limited = false, is_free = true;
-    for (int s = first; s < end - 1; s++) {
+    bool is_free = true;
+    for (int s = g->first; s < g->end; s++) {
         const joint *j = &l->joint[l->step[s].joint];
-        is_limited |= j->is_limited || j->extra > 0;
+        g->is_limited |= j->is_limited || j->extra > 0;
         is_free &= yields(q->f, j->a) && yields(q->f, j->b);
     }
-    l->body[l->step[end - 1].body].is_limited = is_limited;
-    for (int s = first; s < end - 1; s++)
+    for (int s = g->first; s < g->end; s++)
         l->rows[l->step[s].joint].is_free = is_free;
 }
 
@@ -1041,10 +1189,7 @@ static void find_sizes(linkage *l, const linkage_pass *q)
         r->size = real_min(joined_size(q, j->a), joined_size(q, j->b));
         r->is_free = false;
     }
-    for (int first = 0, end; first < l->steps; first = end) {
-        end = tree_end(l, first);
-        find_tree(l, q, first, end);
-    }
+    for (int k = 0; k < l->groups; k++) find_group(l, q, &l->group[k]);
 }
 //<
 
@@ -1155,21 +1300,22 @@ void linkage_prepare(linkage *l, const linkage_pass *q)
 // pull that turns on the way leaves a speed across it.  So a tree that hangs on
 // something ends a substep with no more energy than it began with.  (What is free
 // keeps its momenta, and that speed.)
-static real tree_energy(const linkage *l, const linkage_pass *q, int first, int end)
+static real group_energy(const linkage *l, const linkage_pass *q,
+                         const linkage_group *g)
 {
     real sum = 0;
-    for (int s = first; s < end; s++) {
-        int b = l->step[s].body;
-        if (moves(q->f, b)) sum += motion_energy(basis_of(q->f, b), &q->velocity[b]);
+    for (int i = g->first_body; i < g->end_body; i++) {
+        int b = l->order[i];
+        sum += motion_energy(basis_of(q->f, b), &q->velocity[b]);
     }
     return sum;
 }
 
 // (What a load has torn apart was together before, and is no such thing.)
-static bool is_far_apart(linkage *l, int first, int end)
+static bool is_far_apart(linkage *l, const linkage_group *g)
 {
     bool is_far = false;
-    for (int s = first; s < end - 1; s++) {
+    for (int s = g->first; s < g->end; s++) {
         int k = l->step[s].joint;
         joint *j = &l->joint[k];
         j->has_met |= parted_by(j, &l->rows[k]) <= CONTACT_DEEP * l->rows[k].size;
@@ -1180,25 +1326,21 @@ static bool is_far_apart(linkage *l, int first, int end)
 
 static void note_energies(linkage *l, const linkage_pass *q)
 {
-    for (int first = 0, end; first < l->steps; first = end) {
-        end = tree_end(l, first);
-        linkage_body *root = &l->body[l->step[end - 1].body];
-        root->hangs_apart = is_far_apart(l, first, end);
-        if (root->hangs_apart) root->brought = tree_energy(l, q, first, end);
+    for (linkage_group *g = l->group; g < l->group + l->groups; g++) {
+        g->hangs_apart = is_far_apart(l, g);
+        if (g->hangs_apart) g->brought = group_energy(l, q, g);
     }
 }
 
-static void calm_trees(linkage *l, const linkage_pass *q)
+static void calm_groups(linkage *l, const linkage_pass *q)
 {
-    for (int first = 0, end; first < l->steps; first = end) {
-        end = tree_end(l, first);
-        const linkage_body *root = &l->body[l->step[end - 1].body];
-        if (!root->hangs_apart) continue;
-        real most = root->brought, now = tree_energy(l, q, first, end);
+    for (linkage_group *g = l->group; g < l->group + l->groups; g++) {
+        if (!g->hangs_apart) continue;
+        real most = g->brought, now = group_energy(l, q, g);
         real left = now > most ? sqrt(most / now) : 1;
-        for (int s = first; s < end; s++)
-            for (int i = 0; i < MOTIONS && moves(q->f, l->step[s].body); i++)
-                q->velocity[l->step[s].body].of[i] *= left;
+        for (int i = g->first_body; i < g->end_body; i++)
+            for (int m = 0; m < MOTIONS; m++)
+                q->velocity[l->order[i]].of[m] *= left;
     }
 }
 
@@ -1357,7 +1499,7 @@ void linkage_relax(linkage *l, const linkage_pass *q)
     find_rows(l, q);
     if (l->is_driven)   settle_bounds(l, q, bias_driven_velocity, 1, 0);
     else                settle_bounds(l, q, bias_velocity, 1, 0);
-    calm_trees(l, q);
+    calm_groups(l, q);
     find_speeds(l, q);
     break_overloaded(l, q);
     if (l->is_stale) begin_roles(l, q);

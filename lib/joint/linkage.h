@@ -2,8 +2,9 @@
 //>   One module holds all joints of a world, and the trees that they form.
 // linkage.h - all joints of a world, and the impulses that hold them.
 //
-// Paper: not asked.  Here: chains and trees of bodies at once (Baraff 1996),
-// what closes a ring one by one.  Book: chapter 17.
+// Paper: not asked.  Here: all that is joined at once, in time that grows with the
+// number of joints if it is a chain or a tree (Baraff 1996), and with the square of
+// its width (the frontal method, Irons 1970).  Book: chapter 17.
 // Units: metres, kilograms, seconds.
 
 #ifndef TUMBLE_LINKAGE_H
@@ -16,51 +17,78 @@
 //> linkage-struct
 //>   Each body that is joined has a small record: the mass matrix of itself and
 //>   all that hangs on it, and what it needs while its tree is found.
-// Does a joint hang by itself on the world, or join two bodies of a tree?  All
-// others are solved one after the other.
-typedef enum { JOINT_IDLE, JOINT_ALONE, JOINT_ANCHOR, JOINT_BRANCH } joint_role;
+// What is joined is solved at once, unless it is too wide for that: then its joints
+// are solved one after the other.
+typedef enum { JOINT_IDLE, JOINT_ALONE, JOINT_SOLVED } joint_role;
 
 // A body as the joints see it.
 typedef struct {
-    real answer[MOTIONS][MOTIONS];  // to impulses, with all that hangs on it:
-                                    // one over its mass, in all directions
     real speed[MOTIONS];    // the change of its velocity, and the impulses,
-    real impulse[MOTIONS];  // while its tree is solved
+    real impulse[MOTIONS];  // while its group is solved
     solver_body end;        // how it will stand and go at the end of the
     motion go, last;        // substep, if it goes like this now, and
     bool has_end;           // that was asked in this substep
-    int  group;             // union-find: a body of its tree
-    int  first;             // of that body: the first joint of the tree
-    bool is_ready;          // of the root: matrices are made;
-    bool is_solved;         // it was solved before this move;
-    bool is_settled;        // nothing is left to be solved;
-    bool is_limited;        // some joint has a limit
-    bool hangs_apart;       // its tree hangs far from where it should,
-    real brought;           // J, and began the substep with so much
-    int  branches, one;     // not yet followed; the last, if there is one
-    bool is_done;
+    int  first, left;       // a joint of its list; so many are not solved yet
+    int  step;              // that has it in its front; -1: none yet
+    int  place;             // in `order`; -1: in none
     long seen;              // the last frame in which it is joined
 } linkage_body;
 
-// From the tips of a tree to its root: a body, -1 if it cannot move, and the
-// joint that leads on to the next one.
+// Bodies that are joined to each other, and the steps that solve their joints.
 typedef struct {
-    int body, joint, on;    // joint = -1: it is the root
+    int  first, end;            // in `step`
+    int  first_body, end_body;  // in `order`
+    bool is_ready;          // matrices are made;
+    bool is_solved;         // it was solved before this move;
+    bool is_settled;        // nothing is left to be solved;
+    bool is_limited;        // some joint has a limit
+    bool hangs_apart;       // it hangs far from where it should,
+    real brought;           // J, and began the substep with so much
+} linkage_group;
+
+// A joint is solved, and with it the bodies that earlier steps have brought together
+// with its own are one front.  Of them those stay that have joints left.
+typedef struct {
+    int joint;
+    int a, b;               // its bodies; -1: one that does not move
+    int from[2];            // the steps whose fronts it brings together; -1: none
+    int first, count;       // in `reach`: those that stay
+    int block;              // the first of their count^2 blocks
 } linkage_step;
+
+// One of them.
+typedef struct {
+    int  body;
+    real answer[JOINT_ROWS][MOTIONS];   // how a unit impulse along a row of the
+                                        // joint moves it, and
+    real back[JOINT_ROWS][MOTIONS];     // what the joint gives more for a unit
+                                        // impulse on it
+} linkage_reach;
+
+// How one of a front answers impulses on another, or on itself: one over its mass.
+typedef struct {
+    real of[MOTIONS][MOTIONS];
+} linkage_block;
 
 typedef struct {
     joint      *joint;      // [count] JOINT_NONE: a place for the next one
     joint_rows *rows;       // [count]
     joint_role *role;       // [count]
-    linkage_step *step;     // [2 count]
+    linkage_step *step;     // [steps] what is solved, in this order;
+    linkage_group *group;   // [groups] of them those that are joined;
+    int        *order;      // [bodies] theirs
+    linkage_reach *reach;   // [reaches]
+    linkage_block *block;   // [blocks]
     long long  *apart;      // [aparts] pairs of rigid bodies that do not meet
     int         aparts;
     body_tie *tied;         // [ties] and of a deformable and a rigid one
     int  ties, tie_room;
-    int  count, capacity, gone, steps;  // gone: places that are free
+    int  count, capacity, gone;     // gone: places that are free
+    int  steps, groups, reaches, blocks;
+    int  reach_room, block_room;
     linkage_body *body;     // [bodies]
     int  bodies;
-    bool is_plain;          // trees, too, are solved joint by joint: to measure
+    bool is_plain;          // all is solved joint by joint: to measure
     long frames;            // so many began
     bool is_driven;         // one of those that are solved now is driven
     bool is_stale;          // one broke in this frame

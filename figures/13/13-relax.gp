@@ -28,7 +28,7 @@ set arrow 2 from 32+96+w/2,f+22 to 32+96+w/2,f+86 arrowstyle 1
 set arrow 3 from 32+192+w/2,f+36 to 32+192+w/2,f+100 arrowstyle 1
 
 # The same weight on the springs of two substeps.
-set label 2 "half the substep, a quarter of the sag" at 572,222 center font bold textcolor rgb ink
+set label 2 "the sag of h and of h/2" at 572,222 center font bold textcolor rgb ink
 top = 150
 set arrow 10 from 440,f-30 to 704,f-30 arrowstyle 2
 set arrow 11 from 440,top to 704,top arrowstyle 3

@@ -33,7 +33,8 @@ static void find_left(pair_list *l, const pair_query *q)
 }
 //<
 
-//> pairs-update
+//> pairs-loosen
+//>   What has woken joins the sorted list of loose bodies.
 // What has come is loose, too.
 static void loosen(pair_list *l, const pair_query *q)
 {
@@ -50,7 +51,9 @@ static void loosen(pair_list *l, const pair_query *q)
         i -= b >= a;
     }
 }
+//<
 
+//> pairs-enlarge
 // A tenth of its radius, and once more what it may move: wide enough that the
 // list holds for some frames, narrow enough that it is short.
 static const real WIDER = 0.1;              // tuned, radii
@@ -62,7 +65,10 @@ static void enlarge(pair_list *l, const pair_query *q, int b)
     if (q->ball[b].radius < 0) return;
     l->listed[b].radius += WIDER * q->ball[b].radius + MOVES * q->reach[b];
 }
+//<
 
+//> pairs-lists
+//>   All pairs, or only those of the bodies that are asked again.
 // Are all pairs to be found again?  Where more than half of what is loose has
 // come to lie still, that pays, however many bodies there are.
 static bool is_unsettled(const pair_list *l, const pair_query *q)
@@ -207,7 +213,9 @@ static bool place_new(pair_list *l)
             fits = broad_update(&l->broad, l->listed, l->loose[k]);
     return fits;
 }
+//<
 
+//> pairs-update
 bool pair_list_update(pair_list *l, const pair_query *q, int *lost)
 {
     *lost = 0;
@@ -222,7 +230,10 @@ bool pair_list_update(pair_list *l, const pair_query *q, int *lost)
     for (int b = 0; b < l->bodies; b++) l->is_new[b] = false;
     return true;
 }
+//<
 
+//> pairs-wake
+//>   What wakes, what falls asleep, and what a program puts elsewhere.
 bool pair_list_wake(pair_list *l, const pair_query *q, int *lost)
 {
     *lost = 0;

@@ -369,7 +369,10 @@ static void find_hinge_rows(joint_rows *r, const joint *j, const joint_side *a,
     vec3 axis = in_world(&a->frame, j->axis_a[0]);
     relative_turn_row(r, 5, a, b, vec3_scale(r->is_upper ? 1 : -1, axis));
 }
+//<
 
+//> joint-rows-others
+//>   The rows of a cone, of friction, of a slider, a lock and a distance.
 // A turn d changes the swing by d along the axis of both, y x x, and the twist by d
 // along (x + y) / (1 + x y).
 static void find_cone_rows(joint_rows *r, const joint *j, const joint_side *a,
@@ -455,7 +458,9 @@ static void find_distance_row(joint_rows *r, const joint *j,
     fill_row_along(r->a[0], a, vec3_sub(on_a, a->frame.center), along, sign);
     fill_row_along(r->b[0], b, vec3_sub(on_b, b->frame.center), along, -sign);
 }
+//<
 
+//> joint-rows-all
 void joint_find_rows(joint_rows *r, const joint *j, const joint_side *a,
                      const joint_side *b)
 {

@@ -363,7 +363,8 @@ gjk_result search_nearest(const hull_mesh *a, const hull_mesh *b, real margin,
 }
 //<
 
-//> search-apart
+//> search-heights
+//>   The heights of two bodies along an axis, for the bare question of chapter 10.
 hull_mesh hull_bare(hull h)
 {
     real most = 0;
@@ -429,7 +430,9 @@ static real furthest_out(const hull_mesh *b)
     vec3 x = b->hull.at[0];
     return fabs(x.x) + fabs(x.y) + fabs(x.z) + b->size;
 }
+//<
 
+//> search-apart
 // Is all of A - B further along the axis than margin, beyond what rounding may
 // hide?
 static bool separates(const hull_mesh *a, const hull_mesh *b, real margin,

@@ -197,11 +197,16 @@ static bool find_end(linkage *l, const linkage_pass *q, int b)
     return false;
 }
 
+// Where its joints bring it; of a jolt, with the momenta that it has without them.
 void linkage_advance(linkage *l, const linkage_pass *q, int b, solver_body *now)
 {
+    linkage_body *x = &l->body[b];
     find_end(l, q, b);
-    *now = l->body[b].end;
-    q->velocity[b] = l->body[b].go;
+    vec3 angular = motion_angular(&now->basis, &x->rest);
+    *now = x->end;
+    q->velocity[b] = x->is_jolted ? x->rest : x->go;
+    for (int t = 0; t < TURNS && x->is_jolted; t++)
+        q->velocity[b].of[MOTION_TURN + t] = vec3_dot(now->basis.turn[t], angular);
 }
 
 static const rigid_frame *end_of(const linkage *l, const linkage_pass *q, int b)
@@ -557,7 +562,7 @@ static void reset_body(linkage *l, int b)
     x->group = b;
     x->first = -1;
     x->branches = x->one = 0;
-    x->is_done = false;
+    x->is_done = x->is_jolted = false;
     x->seen = l->frames;
 }
 
@@ -870,12 +875,14 @@ static real find_biases(linkage *l, const linkage_pass *q, int first, int end,
     return q->f->h * worst;
 }
 
-// Solved once, and again while a joint will miss what it wants by too much.
+// Solved once, and again while a joint will miss what it wants by too much, and each
+// solve halves that at least.
 static void settle_tree(linkage *l, const linkage_pass *q, int first, int end,
                         bias_function *what, int rounds, real rough)
 {
     linkage_body *root = &l->body[l->step[end - 1].body];
     bool is_last = what == bias_position || what == bias_driven_position;
+    real before = HUGE_VAL;
     for (int s = first; s < end - 1 && root->is_limited; s++)
         memset(l->rows[l->step[s].joint].since, 0, sizeof l->rows->since);
     for (int n = 0; n < rounds + LIMIT_ROUNDS; n++) {
@@ -886,8 +893,10 @@ static void settle_tree(linkage *l, const linkage_pass *q, int first, int end,
                         && switch_limits(l, q, first, end, what);
         real missed = find_biases(l, q, first, end, what);
         bool is_settled = (n > 0 || root->is_solved) && missed <= MISS;
-        root->is_settled = is_settled && is_last;
-        if (!has_changed && (is_settled || n >= rounds)) return;
+        bool is_nearer = has_changed || missed < before / 2;
+        root->is_settled = (is_settled || !is_nearer) && is_last;
+        if (!has_changed && (is_settled || n >= rounds || !is_nearer)) return;
+        before = has_changed ? HUGE_VAL : missed;
         if (has_changed || !root->is_ready) factor_tree(l, q, first, end);
         root->is_ready = true;
         root->is_solved = is_last;
@@ -1151,60 +1160,8 @@ void linkage_prepare(linkage *l, const linkage_pass *q)
     find_inverses(l, q);
 }
 
-// What was set down far from where its joint wants it is put there, and not thrown: a
-// pull that turns on the way leaves a speed across it.  So a tree that hangs on
-// something ends a substep with no more energy than it began with.  (What is free
-// keeps its momenta, and that speed.)
-static real tree_energy(const linkage *l, const linkage_pass *q, int first, int end)
-{
-    real sum = 0;
-    for (int s = first; s < end; s++) {
-        int b = l->step[s].body;
-        if (moves(q->f, b)) sum += motion_energy(basis_of(q->f, b), &q->velocity[b]);
-    }
-    return sum;
-}
-
-// (What a load has torn apart was together before, and is no such thing.)
-static bool is_far_apart(linkage *l, int first, int end)
-{
-    bool is_far = false;
-    for (int s = first; s < end - 1; s++) {
-        int k = l->step[s].joint;
-        joint *j = &l->joint[k];
-        j->has_met |= parted_by(j, &l->rows[k]) <= CONTACT_DEEP * l->rows[k].size;
-        is_far |= !l->rows[k].is_free && !j->has_met;
-    }
-    return is_far;
-}
-
-static void note_energies(linkage *l, const linkage_pass *q)
-{
-    for (int first = 0, end; first < l->steps; first = end) {
-        end = tree_end(l, first);
-        linkage_body *root = &l->body[l->step[end - 1].body];
-        root->hangs_apart = is_far_apart(l, first, end);
-        if (root->hangs_apart) root->brought = tree_energy(l, q, first, end);
-    }
-}
-
-static void calm_trees(linkage *l, const linkage_pass *q)
-{
-    for (int first = 0, end; first < l->steps; first = end) {
-        end = tree_end(l, first);
-        const linkage_body *root = &l->body[l->step[end - 1].body];
-        if (!root->hangs_apart) continue;
-        real most = root->brought, now = tree_energy(l, q, first, end);
-        real left = now > most ? sqrt(most / now) : 1;
-        for (int s = first; s < end; s++)
-            for (int i = 0; i < MOTIONS && moves(q->f, l->step[s].body); i++)
-                q->velocity[l->step[s].body].of[i] *= left;
-    }
-}
-
 void linkage_begin(linkage *l, const linkage_pass *q)
 {
-    note_energies(l, q);
     if (l->is_driven) begin_drives(l, q);
     for (int k = 0; k < l->count; k++) {
         joint_rows *r = &l->rows[k];
@@ -1228,18 +1185,6 @@ enum { IMPACT_STEPS = 3 };                  // tuned, steps
 // energy.  A tenth of this saves as much; ten times as much, 3 % of a doll's time.)
 static const real ROUGH = 1e-3;             // tuned, sizes
 
-void linkage_push(linkage *l, const linkage_pass *q, bool is_last)
-{
-    real rough = is_last ? 0 : ROUGH;
-    if (l->is_driven)
-        settle_bounds(l, q, bias_driven_position, IMPACT_STEPS, rough);
-    else                settle_bounds(l, q, bias_position, IMPACT_STEPS, rough);
-}
-//<
-
-//> linkage-break
-//>   After the substep each joint knows its force. It says how fast its bodies
-//>   swing, and breaks if the force is too great.
 static real force_of(const joint *j, const joint_rows *r, real h)
 {
     const real *p = j->impulse;
@@ -1249,6 +1194,70 @@ static real force_of(const joint *j, const joint_rows *r, real h)
     return length_of(p, r->lengths) / h;
 }
 
+// A substep follows a swing of angular frequency w if h w is at most 2 (Verlet); two
+// joints and the next body make it twice as fast as one joint alone.
+static bool is_followed(const linkage *l, const linkage_pass *q, int first, int end)
+{
+    real h = q->f->h;
+    for (int s = first; s < end - 1; s++) {
+        const joint *j = &l->joint[l->step[s].joint];
+        const joint_rows *r = &l->rows[l->step[s].joint];
+        if (h * h * force_of(j, r, h) * r->swing > 1
+            || parted_by(j, r) > CONTACT_DEEP * r->size) return false;
+    }
+    return true;
+}
+
+// A tree that a substep cannot follow, as its joints pull too hard or bring together
+// what is far apart, is jolted.  Its joints bring it where it comes, and give it no
+// speed for that: where it then is they only stop what would part it, as in an impact
+// without restitution.  So a jolt keeps momentum, and never gives energy.
+static void jolt_tree(linkage *l, const linkage_pass *q, int first, int end)
+{
+    for (int s = first; s < end; s++) {
+        int b = l->step[s].body;
+        if (b >= 0) l->body[b].rest = q->velocity[b];
+    }
+    for (int s = first; s < end - 1; s++) {
+        int k = l->step[s].joint;
+        real back[JOINT_ROWS] = { 0 };
+        for (int i = 0; i < l->rows[k].held; i++) {
+            back[i] = -l->joint[k].impulse[i];
+            l->joint[k].impulse[i] = 0;
+        }
+        push_both(q, &l->joint[k], &l->rows[k], back);
+    }
+    for (int s = first; s < end; s++) {
+        int b = l->step[s].body;
+        if (b >= 0) SWAP(motion, l->body[b].rest, q->velocity[b]);
+    }
+}
+
+static void jolt_trees(linkage *l, const linkage_pass *q)
+{
+    for (int first = 0, end; first < l->steps; first = end) {
+        end = tree_end(l, first);
+        bool is_jolted = !is_followed(l, q, first, end);
+        if (is_jolted) jolt_tree(l, q, first, end);
+        for (int s = first; s < end; s++)
+            if (l->step[s].body >= 0)
+                l->body[l->step[s].body].is_jolted = is_jolted;
+    }
+}
+
+void linkage_push(linkage *l, const linkage_pass *q, bool is_last)
+{
+    real rough = is_last ? 0 : ROUGH;
+    if (l->is_driven)
+        settle_bounds(l, q, bias_driven_position, IMPACT_STEPS, rough);
+    else                settle_bounds(l, q, bias_position, IMPACT_STEPS, rough);
+    if (is_last) jolt_trees(l, q);
+}
+//<
+
+//> linkage-break
+//>   After the substep each joint knows its force. It says how fast its bodies
+//>   swing, and breaks if the force is too great.
 // A substep turns a body by 0.075 rad (FOLLOWED / TURN_PACE, substeps.c): how fast it
 // turns, and would swing under its own weight, decides how exact its orbit is.  With
 // this 5 of 27 thrown linkages (chapter 20, case 169) change their energy by more
@@ -1357,7 +1366,6 @@ void linkage_relax(linkage *l, const linkage_pass *q)
     find_rows(l, q);
     if (l->is_driven)   settle_bounds(l, q, bias_driven_velocity, 1, 0);
     else                settle_bounds(l, q, bias_velocity, 1, 0);
-    calm_trees(l, q);
     find_speeds(l, q);
     break_overloaded(l, q);
     if (l->is_stale) begin_roles(l, q);

@@ -29,14 +29,14 @@ typedef struct {
     solver_body end;        // how it will stand and go at the end of the
     motion go, last;        // substep, if it goes like this now, and
     bool has_end;           // that was asked in this substep
+    motion rest;            // how it goes without its joints, of a tree that is
+    bool is_jolted;         // jolted
     int  group;             // union-find: a body of its tree
     int  first;             // of that body: the first joint of the tree
     bool is_ready;          // of the root: matrices are made;
     bool is_solved;         // it was solved before this move;
     bool is_settled;        // nothing is left to be solved;
     bool is_limited;        // some joint has a limit
-    bool hangs_apart;       // its tree hangs far from where it should,
-    real brought;           // J, and began the substep with so much
     int  branches, one;     // not yet followed; the last, if there is one
     bool is_done;
     long seen;              // the last frame in which it is joined

@@ -36,9 +36,8 @@ static void wake(world *w, int b)
 }
 
 // And whether they may meet is asked again.
-static void wake_both(world *w, joint *j)
+static void wake_both(world *w, const joint *j)
 {
-    j->has_met = false;
     wake(w, j->a);
     wake(w, j->b);
     w->is_still = false;

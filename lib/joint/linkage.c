@@ -629,13 +629,33 @@ static void lay_tree(linkage *l, const linkage_pass *q, int first)
     }
 }
 
-static void choose_roles(linkage *l, const linkage_pass *q)
+static void reset_bodies(linkage *l)
 {
     for (int k = 0; k < l->count; k++) {
         if (!joint_holds(&l->joint[k])) continue;
         reset_body(l, l->joint[k].a);
         reset_body(l, l->joint[k].b);
     }
+}
+
+void linkage_unite(linkage *l, const linkage_pass *q)
+{
+    reset_bodies(l);
+    for (int k = 0; k < l->count; k++) {
+        const joint *j = &l->joint[k];
+        if (!joint_holds(j) || !yields(q->f, j->a) || !yields(q->f, j->b)) continue;
+        l->body[tree_of(l, j->b)].group = tree_of(l, j->a);
+    }
+}
+
+bool linkage_unites(linkage *l, int a, int b)
+{
+    return linkage_has(l, a) && linkage_has(l, b) && tree_of(l, a) == tree_of(l, b);
+}
+
+static void choose_roles(linkage *l, const linkage_pass *q)
+{
+    reset_bodies(l);
     for (int k = 0; k < l->count; k++) l->role[k] = choose_role(l, q, k);
     l->steps = 0;
     l->is_stale = false;

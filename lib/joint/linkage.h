@@ -150,5 +150,10 @@ void linkage_advance(linkage *l, const linkage_pass *q, int b, solver_body *now)
 // the speed by which errors went; and breaks what had to bear too much.
 void linkage_relax(linkage *l, const linkage_pass *q);
 
+// Which bodies hang together by joints, over others that yield?  To be asked after
+// the substeps of a frame.
+void linkage_unite(linkage *l, const linkage_pass *q);
+bool linkage_unites(linkage *l, int a, int b);
+
 #endif
 //<

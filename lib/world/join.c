@@ -287,6 +287,13 @@ void join_begin(world *w, const solver_frame *f)
     linkage_prepare(&w->joints, &q);
 }
 
+void join_unite(world *w)
+{
+    solver_frame f = { .body = w->rigid.now };
+    linkage_pass q = join_pass(w, &f);
+    linkage_unite(&w->joints, &q);
+}
+
 // What hangs on something that moves wakes as what lies on it does.
 void join_wake(world *w)
 {

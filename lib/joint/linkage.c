@@ -197,16 +197,25 @@ static bool find_end(linkage *l, const linkage_pass *q, int b)
     return false;
 }
 
-// Where its joints bring it; of a jolt, with the momenta that it has without them.
+// Where its joints bring it.  After a jolt it goes as without them; what it is moved
+// aside takes no angular momentum from it.
 void linkage_advance(linkage *l, const linkage_pass *q, int b, solver_body *now)
 {
     linkage_body *x = &l->body[b];
     find_end(l, q, b);
-    vec3 angular = motion_angular(&now->basis, &x->rest);
+    motion *u = &q->velocity[b];
+    *u = x->go;
+    if (x->is_jolted) {
+        vec3 v = motion_straight(&x->rest);
+        vec3 aside = vec3_sub(motion_straight(u), v);
+        real moved = q->f->h / now->basis.inverse_mass;
+        vec3 angular = vec3_add_scaled(motion_angular(&now->basis, &x->rest),
+                                       moved, vec3_cross(v, aside));
+        *u = x->rest;
+        for (int t = 0; t < TURNS; t++)
+            u->of[MOTION_TURN + t] = vec3_dot(x->end.basis.turn[t], angular);
+    }
     *now = x->end;
-    q->velocity[b] = x->is_jolted ? x->rest : x->go;
-    for (int t = 0; t < TURNS && x->is_jolted; t++)
-        q->velocity[b].of[MOTION_TURN + t] = vec3_dot(now->basis.turn[t], angular);
 }
 
 static const rigid_frame *end_of(const linkage *l, const linkage_pass *q, int b)
@@ -902,7 +911,7 @@ static void settle_tree(linkage *l, const linkage_pass *q, int first, int end,
 {
     linkage_body *root = &l->body[l->step[end - 1].body];
     bool is_last = what == bias_position || what == bias_driven_position;
-    real before = HUGE_VAL;
+    real before = 0;
     for (int s = first; s < end - 1 && root->is_limited; s++)
         memset(l->rows[l->step[s].joint].since, 0, sizeof l->rows->since);
     for (int n = 0; n < rounds + LIMIT_ROUNDS; n++) {
@@ -913,10 +922,10 @@ static void settle_tree(linkage *l, const linkage_pass *q, int first, int end,
                         && switch_limits(l, q, first, end, what);
         real missed = find_biases(l, q, first, end, what);
         bool is_settled = (n > 0 || root->is_solved) && missed <= MISS;
-        bool is_nearer = has_changed || missed < before / 2;
+        bool is_nearer = n == 0 || has_changed || missed < before / 2;
         root->is_settled = (is_settled || !is_nearer) && is_last;
         if (!has_changed && (is_settled || n >= rounds || !is_nearer)) return;
-        before = has_changed ? HUGE_VAL : missed;
+        before = missed;
         if (has_changed || !root->is_ready) factor_tree(l, q, first, end);
         root->is_ready = true;
         root->is_solved = is_last;

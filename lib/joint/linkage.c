@@ -197,25 +197,16 @@ static bool find_end(linkage *l, const linkage_pass *q, int b)
     return false;
 }
 
-// Where its joints bring it.  After a jolt it goes as without them; what it is moved
-// aside takes no angular momentum from it.
+// Where its joints bring it; after a jolt it goes as without them.
 void linkage_advance(linkage *l, const linkage_pass *q, int b, solver_body *now)
 {
     linkage_body *x = &l->body[b];
     find_end(l, q, b);
-    motion *u = &q->velocity[b];
-    *u = x->go;
-    if (x->is_jolted) {
-        vec3 v = motion_straight(&x->rest);
-        vec3 aside = vec3_sub(motion_straight(u), v);
-        real moved = q->f->h / now->basis.inverse_mass;
-        vec3 angular = vec3_add_scaled(motion_angular(&now->basis, &x->rest),
-                                       moved, vec3_cross(v, aside));
-        *u = x->rest;
-        for (int t = 0; t < TURNS; t++)
-            u->of[MOTION_TURN + t] = vec3_dot(x->end.basis.turn[t], angular);
-    }
     *now = x->end;
+    q->velocity[b] = x->is_jolted ? x->rest : x->go;
+    for (int t = 0; t < TURNS && x->is_jolted; t++)
+        q->velocity[b].of[MOTION_TURN + t] = vec3_dot(now->basis.turn[t],
+                                                      x->angular);
 }
 
 static const rigid_frame *end_of(const linkage *l, const linkage_pass *q, int b)
@@ -1237,6 +1228,68 @@ static bool is_followed(const linkage *l, const linkage_pass *q, int first, int 
     return true;
 }
 
+// What a body at the end of a substep has of angular momentum if it turns so (rad/s)
+// about its centre.
+static vec3 angular_of(const solver_body *x, vec3 spin)
+{
+    motion u = motion_make(&x->basis, (vec3){ 0, 0, 0 }, spin);
+    return motion_angular(&x->basis, &u);
+}
+
+// The centre of mass (m) of a tree where its joints bring it.
+static vec3 center_of_tree(const linkage *l, int first, int end)
+{
+    vec3 sum = { 0, 0, 0 };
+    real mass = 0;
+    for (int s = first; s < end; s++) {
+        const solver_body *x = &l->body[l->step[s].body].end;
+        sum = vec3_add_scaled(sum, 1 / x->basis.inverse_mass, x->frame.center);
+        mass += 1 / x->basis.inverse_mass;
+    }
+    return vec3_scale(1 / mass, sum);
+}
+
+// With which spin (rad/s) a tree has, as one body, the angular momentum that it lost
+// when its bodies were moved aside of how they go.
+static vec3 spin_of_tree(const linkage *l, const linkage_pass *q, int first, int end,
+                         vec3 center)
+{
+    const vec3 axis[3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
+    real inertia[JOINT_ROWS][JOINT_ROWS] = { { 0 } };
+    vec3 lost = { 0, 0, 0 };
+    for (int s = first; s < end; s++) {
+        const linkage_body *x = &l->body[l->step[s].body];
+        real mass = 1 / x->end.basis.inverse_mass;
+        vec3 r = vec3_sub(x->end.frame.center, center);
+        lost = vec3_add_scaled(lost, q->f->h * mass,
+                               vec3_cross(motion_straight(&x->rest),
+                                          motion_straight(&x->go)));
+        for (int k = 0; k < 3; k++) {
+            vec3 of = vec3_add_scaled(angular_of(&x->end, axis[k]), mass,
+                                      vec3_cross(r, vec3_cross(axis[k], r)));
+            inertia[k][0] += of.x, inertia[k][1] += of.y, inertia[k][2] += of.z;
+        }
+    }
+    real spin[JOINT_ROWS] = { lost.x, lost.y, lost.z };
+    small_invert(3, inertia);
+    small_times(3, inertia, spin);
+    return (vec3){ spin[0], spin[1], spin[2] };
+}
+
+// It gets it back: what flies freely keeps its momenta.
+static void turn_tree(linkage *l, const linkage_pass *q, int first, int end)
+{
+    find_ends(l, q, first, end);
+    vec3 center = center_of_tree(l, first, end);
+    vec3 spin = spin_of_tree(l, q, first, end, center);
+    for (int s = first; s < end; s++) {
+        linkage_body *x = &l->body[l->step[s].body];
+        vec3 r = vec3_sub(x->end.frame.center, center);
+        motion_add_straight(&x->rest, 1, vec3_cross(spin, r));
+        x->angular = vec3_add(x->angular, angular_of(&x->end, spin));
+    }
+}
+
 // A tree that a substep cannot follow, as its joints pull too hard or bring together
 // what is far apart, is jolted.  Its joints bring it where it comes, and give it no
 // speed for that: where it then is they only stop what would part it, as in an impact
@@ -1258,8 +1311,12 @@ static void jolt_tree(linkage *l, const linkage_pass *q, int first, int end)
     }
     for (int s = first; s < end; s++) {
         int b = l->step[s].body;
-        if (b >= 0) SWAP(motion, l->body[b].rest, q->velocity[b]);
+        if (b < 0) continue;
+        linkage_body *x = &l->body[b];
+        SWAP(motion, x->rest, q->velocity[b]);
+        x->angular = motion_angular(basis_of(q->f, b), &x->rest);
     }
+    if (l->rows[l->step[first].joint].is_free) turn_tree(l, q, first, end);
 }
 
 static void jolt_trees(linkage *l, const linkage_pass *q)

@@ -30,7 +30,8 @@ typedef struct {
     motion go, last;        // substep, if it goes like this now, and
     bool has_end;           // that was asked in this substep
     motion rest;            // how it goes without its joints, of a tree that is
-    bool is_jolted;         // jolted
+    vec3 angular;           // jolted; kg m^2/s, its spin in that, about its
+    bool is_jolted;         // centre
     int  group;             // union-find: a body of its tree
     int  first;             // of that body: the first joint of the tree
     bool is_ready;          // of the root: matrices are made;

@@ -93,8 +93,6 @@ typedef struct {
     unsigned locked;            // of a lock
     bool may_touch;
     bool is_broken;             // it holds no more
-    bool has_met;               // they have been where it wants them since it
-                                // was made or changed
     real impulse[JOINT_ROWS];   // N s, N m s, of each row, with which the
                                 // next substep begins, and in it so far
     real force;                 // N, in that substep

@@ -199,11 +199,16 @@ static bool find_end(linkage *l, const linkage_pass *q, int b)
     return false;
 }
 
+// Where its joints bring it; after a jolt it goes as without them.
 void linkage_advance(linkage *l, const linkage_pass *q, int b, solver_body *now)
 {
+    linkage_body *x = &l->body[b];
     find_end(l, q, b);
-    *now = l->body[b].end;
-    q->velocity[b] = l->body[b].go;
+    *now = x->end;
+    q->velocity[b] = x->is_jolted ? x->rest : x->go;
+    for (int t = 0; t < TURNS && x->is_jolted; t++)
+        q->velocity[b].of[MOTION_TURN + t] = vec3_dot(now->basis.turn[t],
+                                                      x->angular);
 }
 
 static const rigid_frame *end_of(const linkage *l, const linkage_pass *q, int b)
@@ -555,8 +560,10 @@ static void reset_body(linkage *l, int b)
 {
     if (b < 0) return;
     linkage_body *x = &l->body[b];
+    x->united = b;
     x->first = x->step = x->place = -1;
     x->left = 0;
+    x->is_jolted = false;
     x->seen = l->frames;
 }
 
@@ -701,15 +708,20 @@ static void add_group(linkage *l, const linkage_pass *q, int b)
     l->blocks = blocks;
 }
 
-static void choose_roles(linkage *l, const linkage_pass *q)
+static void reset_bodies(linkage *l)
 {
-    l->steps = l->groups = l->reaches = l->blocks = 0;
-    l->is_stale = false;
     for (int k = 0; k < l->count; k++) {
         if (!joint_holds(&l->joint[k])) continue;
         reset_body(l, l->joint[k].a);
         reset_body(l, l->joint[k].b);
     }
+}
+
+static void choose_roles(linkage *l, const linkage_pass *q)
+{
+    l->steps = l->groups = l->reaches = l->blocks = 0;
+    l->is_stale = false;
+    reset_bodies(l);
     for (int k = l->count - 1; k >= 0; k--) {
         l->role[k] = choose_role(l, q, k);
         if (l->role[k] != JOINT_SOLVED) continue;
@@ -721,6 +733,31 @@ static void choose_roles(linkage *l, const linkage_pass *q)
         int b = moves(q->f, j->a) ? j->a : j->b;
         if (l->role[k] == JOINT_SOLVED && l->body[b].place < 0) add_group(l, q, b);
     }
+}
+
+static int united_with(linkage *l, int b)
+{
+    while (l->body[b].united != b) {
+        l->body[b].united = l->body[l->body[b].united].united;
+        b = l->body[b].united;
+    }
+    return b;
+}
+
+void linkage_unite(linkage *l, const linkage_pass *q)
+{
+    reset_bodies(l);
+    for (int k = 0; k < l->count; k++) {
+        const joint *j = &l->joint[k];
+        if (!joint_holds(j) || !yields(q->f, j->a) || !yields(q->f, j->b)) continue;
+        l->body[united_with(l, j->b)].united = united_with(l, j->a);
+    }
+}
+
+bool linkage_unites(linkage *l, int a, int b)
+{
+    return linkage_has(l, a) && linkage_has(l, b)
+        && united_with(l, a) == united_with(l, b);
 }
 //<
 
@@ -1023,11 +1060,13 @@ static real find_biases(linkage *l, const linkage_pass *q, const linkage_group *
     return q->f->h * worst;
 }
 
-// Solved once, and again while a joint will miss what it wants by too much.
+// Solved once, and again while a joint will miss what it wants by too much, and each
+// solve comes nearer.
 static void settle_group(linkage *l, const linkage_pass *q, linkage_group *g,
                          bias_function *what, int rounds, real rough)
 {
     bool is_last = what == bias_position || what == bias_driven_position;
+    real before = 0;
     for (int s = g->first; s < g->end && g->is_limited; s++)
         memset(l->rows[l->step[s].joint].since, 0, sizeof l->rows->since);
     for (int n = 0; n < rounds + LIMIT_ROUNDS; n++) {
@@ -1038,8 +1077,10 @@ static void settle_group(linkage *l, const linkage_pass *q, linkage_group *g,
                         && switch_limits(l, q, g, what);
         real missed = find_biases(l, q, g, what);
         bool is_settled = (n > 0 || g->is_solved) && missed <= MISS;
-        g->is_settled = is_settled && is_last;
-        if (!has_changed && (is_settled || n >= rounds)) return;
+        bool is_nearer = n == 0 || has_changed || missed < before;
+        g->is_settled = (is_settled || !is_nearer) && is_last;
+        if (!has_changed && (is_settled || n >= rounds || !is_nearer)) return;
+        before = missed;
         if (has_changed || !g->is_ready) factor_group(l, q, g);
         g->is_ready = true;
         g->is_solved = is_last;
@@ -1296,57 +1337,8 @@ void linkage_prepare(linkage *l, const linkage_pass *q)
     find_inverses(l, q);
 }
 
-// What was set down far from where its joint wants it is put there, and not thrown: a
-// pull that turns on the way leaves a speed across it.  So a tree that hangs on
-// something ends a substep with no more energy than it began with.  (What is free
-// keeps its momenta, and that speed.)
-static real group_energy(const linkage *l, const linkage_pass *q,
-                         const linkage_group *g)
-{
-    real sum = 0;
-    for (int i = g->first_body; i < g->end_body; i++) {
-        int b = l->order[i];
-        sum += motion_energy(basis_of(q->f, b), &q->velocity[b]);
-    }
-    return sum;
-}
-
-// (What a load has torn apart was together before, and is no such thing.)
-static bool is_far_apart(linkage *l, const linkage_group *g)
-{
-    bool is_far = false;
-    for (int s = g->first; s < g->end; s++) {
-        int k = l->step[s].joint;
-        joint *j = &l->joint[k];
-        j->has_met |= parted_by(j, &l->rows[k]) <= CONTACT_DEEP * l->rows[k].size;
-        is_far |= !l->rows[k].is_free && !j->has_met;
-    }
-    return is_far;
-}
-
-static void note_energies(linkage *l, const linkage_pass *q)
-{
-    for (linkage_group *g = l->group; g < l->group + l->groups; g++) {
-        g->hangs_apart = is_far_apart(l, g);
-        if (g->hangs_apart) g->brought = group_energy(l, q, g);
-    }
-}
-
-static void calm_groups(linkage *l, const linkage_pass *q)
-{
-    for (linkage_group *g = l->group; g < l->group + l->groups; g++) {
-        if (!g->hangs_apart) continue;
-        real most = g->brought, now = group_energy(l, q, g);
-        real left = now > most ? sqrt(most / now) : 1;
-        for (int i = g->first_body; i < g->end_body; i++)
-            for (int m = 0; m < MOTIONS; m++)
-                q->velocity[l->order[i]].of[m] *= left;
-    }
-}
-
 void linkage_begin(linkage *l, const linkage_pass *q)
 {
-    note_energies(l, q);
     if (l->is_driven) begin_drives(l, q);
     for (int k = 0; k < l->count; k++) {
         joint_rows *r = &l->rows[k];
@@ -1370,18 +1362,6 @@ enum { IMPACT_STEPS = 3 };                  // tuned, steps
 // energy.  A tenth of this saves as much; ten times as much, 3 % of a doll's time.)
 static const real ROUGH = 1e-3;             // tuned, sizes
 
-void linkage_push(linkage *l, const linkage_pass *q, bool is_last)
-{
-    real rough = is_last ? 0 : ROUGH;
-    if (l->is_driven)
-        settle_bounds(l, q, bias_driven_position, IMPACT_STEPS, rough);
-    else                settle_bounds(l, q, bias_position, IMPACT_STEPS, rough);
-}
-//<
-
-//> linkage-break
-//>   After the substep each joint knows its force. It says how fast its bodies
-//>   swing, and breaks if the force is too great.
 static real force_of(const joint *j, const joint_rows *r, real h)
 {
     const real *p = j->impulse;
@@ -1391,6 +1371,132 @@ static real force_of(const joint *j, const joint_rows *r, real h)
     return length_of(p, r->lengths) / h;
 }
 
+// A substep follows a swing of angular frequency w if h w is at most 2 (Verlet); two
+// joints and the next body make it twice as fast as one joint alone.
+static bool is_followed(const linkage *l, const linkage_pass *q,
+                        const linkage_group *g)
+{
+    real h = q->f->h;
+    for (int s = g->first; s < g->end; s++) {
+        const joint *j = &l->joint[l->step[s].joint];
+        const joint_rows *r = &l->rows[l->step[s].joint];
+        if (h * h * force_of(j, r, h) * r->swing > 1
+            || parted_by(j, r) > CONTACT_DEEP * r->size) return false;
+    }
+    return true;
+}
+
+// What a body at the end of a substep has of angular momentum if it turns so (rad/s)
+// about its centre.
+static vec3 angular_of(const solver_body *x, vec3 spin)
+{
+    motion u = motion_make(&x->basis, (vec3){ 0, 0, 0 }, spin);
+    return motion_angular(&x->basis, &u);
+}
+
+// The centre of mass (m) of a group where its joints bring it.
+static vec3 center_of_group(const linkage *l, const linkage_group *g)
+{
+    vec3 sum = { 0, 0, 0 };
+    real mass = 0;
+    for (int i = g->first_body; i < g->end_body; i++) {
+        const solver_body *x = &l->body[l->order[i]].end;
+        sum = vec3_add_scaled(sum, 1 / x->basis.inverse_mass, x->frame.center);
+        mass += 1 / x->basis.inverse_mass;
+    }
+    return vec3_scale(1 / mass, sum);
+}
+
+// With which spin (rad/s) a group has, as one body, the angular momentum that it lost
+// when its bodies were moved aside of how they go.
+static vec3 spin_of_group(const linkage *l, const linkage_pass *q,
+                          const linkage_group *g, vec3 center)
+{
+    const vec3 axis[3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
+    real inertia[JOINT_ROWS][JOINT_ROWS] = { { 0 } };
+    vec3 lost = { 0, 0, 0 };
+    for (int i = g->first_body; i < g->end_body; i++) {
+        const linkage_body *x = &l->body[l->order[i]];
+        real mass = 1 / x->end.basis.inverse_mass;
+        vec3 r = vec3_sub(x->end.frame.center, center);
+        lost = vec3_add_scaled(lost, q->f->h * mass,
+                               vec3_cross(motion_straight(&x->rest),
+                                          motion_straight(&x->go)));
+        for (int k = 0; k < 3; k++) {
+            vec3 of = vec3_add_scaled(angular_of(&x->end, axis[k]), mass,
+                                      vec3_cross(r, vec3_cross(axis[k], r)));
+            inertia[k][0] += of.x, inertia[k][1] += of.y, inertia[k][2] += of.z;
+        }
+    }
+    real spin[JOINT_ROWS] = { lost.x, lost.y, lost.z };
+    small_invert(3, inertia);
+    small_times(3, inertia, spin);
+    return (vec3){ spin[0], spin[1], spin[2] };
+}
+
+// It gets it back: what flies freely keeps its momenta.
+static void turn_group(linkage *l, const linkage_pass *q, const linkage_group *g)
+{
+    find_ends(l, q, g);
+    vec3 center = center_of_group(l, g);
+    vec3 spin = spin_of_group(l, q, g, center);
+    for (int i = g->first_body; i < g->end_body; i++) {
+        linkage_body *x = &l->body[l->order[i]];
+        vec3 r = vec3_sub(x->end.frame.center, center);
+        motion_add_straight(&x->rest, 1, vec3_cross(spin, r));
+        x->angular = vec3_add(x->angular, angular_of(&x->end, spin));
+    }
+}
+
+// A group that a substep cannot follow, as its joints pull too hard or bring together
+// what is far apart, is jolted.  Its joints bring it where it comes, and give it no
+// speed for that: where it then is they only stop what would part it, as in an impact
+// without restitution.  So a jolt keeps momentum, and never gives energy.
+static void jolt_group(linkage *l, const linkage_pass *q, const linkage_group *g)
+{
+    for (int i = g->first_body; i < g->end_body; i++)
+        l->body[l->order[i]].rest = q->velocity[l->order[i]];
+    for (int s = g->first; s < g->end; s++) {
+        int k = l->step[s].joint;
+        real back[JOINT_ROWS] = { 0 };
+        for (int i = 0; i < l->rows[k].held; i++) {
+            back[i] = -l->joint[k].impulse[i];
+            l->joint[k].impulse[i] = 0;
+        }
+        push_both(q, &l->joint[k], &l->rows[k], back);
+    }
+    for (int i = g->first_body; i < g->end_body; i++) {
+        int b = l->order[i];
+        linkage_body *x = &l->body[b];
+        SWAP(motion, x->rest, q->velocity[b]);
+        x->angular = motion_angular(basis_of(q->f, b), &x->rest);
+    }
+    if (l->rows[l->step[g->first].joint].is_free) turn_group(l, q, g);
+}
+
+static void jolt_groups(linkage *l, const linkage_pass *q)
+{
+    for (const linkage_group *g = l->group; g < l->group + l->groups; g++) {
+        bool is_jolted = !is_followed(l, q, g);
+        if (is_jolted) jolt_group(l, q, g);
+        for (int i = g->first_body; i < g->end_body; i++)
+            l->body[l->order[i]].is_jolted = is_jolted;
+    }
+}
+
+void linkage_push(linkage *l, const linkage_pass *q, bool is_last)
+{
+    real rough = is_last ? 0 : ROUGH;
+    if (l->is_driven)
+        settle_bounds(l, q, bias_driven_position, IMPACT_STEPS, rough);
+    else                settle_bounds(l, q, bias_position, IMPACT_STEPS, rough);
+    if (is_last) jolt_groups(l, q);
+}
+//<
+
+//> linkage-break
+//>   After the substep each joint knows its force. It says how fast its bodies
+//>   swing, and breaks if the force is too great.
 // A substep turns a body by 0.075 rad (FOLLOWED / TURN_PACE, substeps.c): how fast it
 // turns, and would swing under its own weight, decides how exact its orbit is.  With
 // this 5 of 27 thrown linkages (chapter 20, case 169) change their energy by more
@@ -1499,7 +1605,6 @@ void linkage_relax(linkage *l, const linkage_pass *q)
     find_rows(l, q);
     if (l->is_driven)   settle_bounds(l, q, bias_driven_velocity, 1, 0);
     else                settle_bounds(l, q, bias_velocity, 1, 0);
-    calm_groups(l, q);
     find_speeds(l, q);
     break_overloaded(l, q);
     if (l->is_stale) begin_roles(l, q);

@@ -28,6 +28,10 @@ typedef struct {
     solver_body end;        // how it will stand and go at the end of the
     motion go, last;        // substep, if it goes like this now, and
     bool has_end;           // that was asked in this substep
+    motion rest;            // how it goes without its joints, of a group that is
+    vec3 angular;           // jolted; kg m^2/s, its spin in that, about its
+    bool is_jolted;         // centre
+    int  united;            // union-find: another body that hangs on it
     int  first, left;       // a joint of its list; so many are not solved yet
     int  step;              // that has it in its front; -1: none yet
     int  place;             // in `order`; -1: in none
@@ -42,8 +46,6 @@ typedef struct {
     bool is_solved;         // it was solved before this move;
     bool is_settled;        // nothing is left to be solved;
     bool is_limited;        // some joint has a limit
-    bool hangs_apart;       // it hangs far from where it should,
-    real brought;           // J, and began the substep with so much
 } linkage_group;
 
 // A joint is solved, and with it the bodies that earlier steps have brought together
@@ -177,6 +179,11 @@ void linkage_advance(linkage *l, const linkage_pass *q, int b, solver_body *now)
 // after the bodies have moved: the rows for where they stand now; takes back
 // the speed by which errors went; and breaks what had to bear too much.
 void linkage_relax(linkage *l, const linkage_pass *q);
+
+// Which bodies hang together by joints, over others that yield?  To be asked after
+// the substeps of a frame.
+void linkage_unite(linkage *l, const linkage_pass *q);
+bool linkage_unites(linkage *l, int a, int b);
 
 #endif
 //<

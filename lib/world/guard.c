@@ -6,6 +6,7 @@
 #include "advance.h"
 #include "drive.h"
 #include "handle.h"
+#include "join.h"
 #include "rungs.h"
 
 #include <float.h>
@@ -483,7 +484,8 @@ static void stop_passing(rigid_tables *t, int small, int large)
     stop_closing(t, small, large, &s);
 }
 
-// Only where they may go as far as the ball inside the smaller one.
+// Only where they may go as far as the ball inside the smaller one.  (Not what hangs
+// together by joints, which would be torn.)
 void guard_bodies(world *w)
 {
     rigid_tables *t = &w->rigid;
@@ -492,13 +494,15 @@ void guard_bodies(world *w)
         int b = t->awake[k];
         some |= t->moves[b] && 2 * t->reach[b] > t->body[b].inner;
     }
+    if (some) join_unite(w);
     for (int k = 0; k < t->cache.actives && some; k++) {
         int a = t->cache.active[k]->a, b = t->cache.active[k]->b;
         if (b < 0) continue;
         bool is_a = t->now[a].radius < t->now[b].radius;
         int small = is_a ? a : b, large = is_a ? b : a;
         bool may = t->reach[a] + t->reach[b] > t->body[small].inner;
-        if (may && !w->body[a].rides && !w->body[b].rides)
+        if (may && !w->body[a].rides && !w->body[b].rides
+            && !linkage_unites(&w->joints, a, b))
             stop_passing(t, small, large);
     }
 }

@@ -97,10 +97,6 @@ status world_put(world *w, int b, placement where)
     cache_forget(&w->rigid.cache, &b, 1);
     soft_forget(&w->soft, b);
     world_place(w, b, &where);
-    for (int k = 0; k < w->joints.count; k++) {
-        joint *j = &w->joints.joint[k];
-        j->has_met &= j->a != b && j->b != b;
-    }
     if (x->is_kinematic)
         w->rigid.drive[b] = (body_drive){ where.velocity, where.spin };
     world_wake_around(w, b);

@@ -36,9 +36,8 @@ static void wake(world *w, int b)
 }
 
 // And whether they may meet is asked again.
-static void wake_both(world *w, joint *j)
+static void wake_both(world *w, const joint *j)
 {
-    j->has_met = false;
     wake(w, j->a);
     wake(w, j->b);
     w->is_still = false;
@@ -286,6 +285,13 @@ void join_begin(world *w, const solver_frame *f)
 {
     linkage_pass q = join_pass(w, f);
     linkage_prepare(&w->joints, &q);
+}
+
+void join_unite(world *w)
+{
+    solver_frame f = { .body = w->rigid.now };
+    linkage_pass q = join_pass(w, &f);
+    linkage_unite(&w->joints, &q);
 }
 
 // What hangs on something that moves wakes as what lies on it does.

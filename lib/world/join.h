@@ -67,13 +67,16 @@ real world_joint_torque(const world *w, int number);
 //<
 
 //> join-declare-inside
-//>   Three more are for the step, and not for a program.
+//>   More are for the step, and not for a program.
 // A frame's part of the work, for step.c.  join_wake: what hangs on something that
 // moves wakes, as world_wake_near says.
 void join_wake(world *w);
 linkage_pass join_pass(world *w, const solver_frame *f);
 void join_begin(world *w, const solver_frame *f);
 void join_islands_of_joints(world *w);
+
+// After the substeps: linkage_unites may be asked.
+void join_unite(world *w);
 
 #endif
 //<

@@ -1116,49 +1116,34 @@ static tumble_world *loaded_chain(int substeps, double mass,
     return w;
 }
 
-// It bears far more than so few substeps follow: its numbers are lost, and it is
-// stopped.  Rejects: bodies that were stopped in mid-air, with no word about it;
-// impulses that are no numbers, and are kept.
-START_TEST(what_is_stopped_in_mid_air_is_reported)
+// It bears far more than so few substeps follow.  Rejects: bodies that were stopped in
+// mid-air, or are apart, with no word about it; impulses that are no numbers, and are
+// kept; joints that are followed all the same (its numbers are lost).
+START_TEST(what_few_substeps_cannot_follow_is_never_apart_in_silence)
 {
     tumble_joint joint[LINKS + 1];
     tumble_world *w = loaded_chain(_i, _i == 1 ? 100 : 1e6, joint);
     tumble_body last = tumble_joint_body(w, joint[LINKS], 1);
-    int unconverged = 0;
     for (int k = 0; k < 100; k++) {
         tumble_world_step(w);
-        unconverged += tumble_world_last_step(w).unconverged;
+        int unconverged = tumble_world_last_step(w).unconverged;
         tumble_vec3 p = tumble_body_position(w, last),
                     v = tumble_body_velocity(w, last);
         ck_assert(isfinite(p.x + p.y + p.z + v.x + v.y + v.z));
-        ck_assert(!tumble_world_failure(w) || unconverged > 0);
-    }
-    expect_failure(w, "more substeps");
-    tumble_world_free(w);
-}
-END_TEST
-
-// The same, until its numbers are lost, and on.  Rejects: bodies that are slowed
-// where a step without sense has thrown them, 100 m from each other.
-START_TEST(what_is_stopped_stands_where_it_was)
-{
-    tumble_joint joint[LINKS + 1];
-    tumble_world *w = loaded_chain(4, 1e6, joint);
-    for (int k = 0; k < 100; k++) {
-        tumble_world_step(w);
         for (int i = 0; i <= LINKS; i++) {
             double gap = tumble_joint_gap(w, joint[i]);
-            ck_assert_msg(gap < 3e-3, "step %d, joint %d: %g m", k, i, gap);
+            ck_assert_msg(gap < 3e-3 || unconverged > 0,
+                          "step %d, joint %d: %g m", k, i, gap);
         }
     }
-    expect_failure(w, "more substeps");
+    ck_assert_ptr_null(tumble_world_failure(w));
     tumble_world_free(w);
 }
 END_TEST
 
 // Two thin rods, of which one spins about its length, are joined where both have an
 // arm of 250 times their thickness: no step follows that.  Rejects: energy from
-// nowhere, 3e10 J in the first step, with no word about it, and bodies far apart.
+// nowhere, 3e10 J in the first step, and bodies far apart, with no word about it.
 START_TEST(what_is_joined_gains_nothing_from_its_first_step)
 {
     for (double spin = 10; spin < 2e5; spin *= 10) {
@@ -1175,7 +1160,8 @@ START_TEST(what_is_joined_gains_nothing_from_its_first_step)
             tumble_world_step(w);
             double has = tumble_world_measure(w).kinetic;
             double gap = tumble_joint_gap(w, j);
-            ck_assert_msg(has <= had && gap < 1e-6,
+            bool is_said = tumble_world_last_step(w).unconverged > 0;
+            ck_assert_msg(has <= had && (gap < 1e-6 || is_said),
                           "%g rad/s, step %d: %g J of %g, gap %g m", spin, k,
                           has, had, gap);
         }
@@ -1582,12 +1568,12 @@ int main(void)
         an_overlap_goes_in_as_many_frames_at_any_size,
         a_free_spin_keeps_energy_and_angular_momentum_at_any_rate,
         a_stack_of_plates_gives_by_a_share_of_their_thickness,
-        what_is_stopped_stands_where_it_was,
         what_is_joined_gains_nothing_from_its_first_step,
         NULL
     };
     return suite_run((suite){
         .name = "program", .tests = tests, .seconds = 60,
-        .repeated = { { what_is_stopped_in_mid_air_is_reported, 1, 3 } }
+        .repeated = { { what_few_substeps_cannot_follow_is_never_apart_in_silence,
+                         1, 4 } }
     });
 }

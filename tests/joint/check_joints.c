@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "capsule.h"
 #include "expect.h"
 #include "handle.h"
 #include "join.h"
@@ -743,7 +744,7 @@ END_TEST
 
 static real energy(void)
 {
-    world_measures m = world_measure(&w);
+    measures m = world_measure(&w);
     return m.kinetic + m.potential;
 }
 

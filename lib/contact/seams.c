@@ -418,15 +418,13 @@ static void correct_sides(slider *s)
 //> seams-merge
 //>   Pieces of one body in one plane under A are one floor: A touches that plane,
 //>   in one contact.
-// May x be merged with others?  (What comes down fast, or spins, has points of
-// its own.)
+// May x be merged with others?  (What comes down fast has points of its own.)
 static bool is_floor(const slider *s, const side *x)
 {
-    const real spins = 0.5;     // rad
-    const prediction *ahead = &s->f->ahead[s->a];
+    vec3 way = s->f->ahead[s->a].way;
     return x->is_new && x->points > 0 && !s->f->moves[x->b]
-        && s->f->body[x->b].family > 0 && ahead->angle <= spins
-        && -vec3_dot(ahead->way, x->n) <= s->f->body[s->a].inner;
+        && s->f->body[x->b].family > 0
+        && -vec3_dot(way, x->n) <= s->f->body[s->a].inner;
 }
 
 // All sides in the plane of the first; returns how many.
@@ -443,14 +441,19 @@ static int find_floor(const slider *s, int first, int *of)
     return n;
 }
 
-// Does p lie over one of the pieces?
-static bool is_over(const slider *s, const int *of, int n, vec3 p)
+// Does p lie over a piece whose top is that of x's floor?  (A touches it there even
+// if the side that was met is another one, which is hidden.)
+static bool is_over(const slider *s, const side *x, vec3 p)
 {
+    int family = s->f->body[x->b].family;
     feature_point foot;
-    for (int i = 0; i < n; i++) {
-        const side *y = &s->side[of[i]];
-        collider piece = cache_collider(s->c, s->f, y->b);
-        if (project_on_face(&piece, y->n, p, &foot)) return true;
+    for (int i = 0; i < s->sides; i++) {
+        int b = s->side[i].b;
+        if (b < 0 || s->f->body[b].family != family) continue;
+        collider piece = cache_collider(s->c, s->f, b);
+        if (project_on_face(&piece, x->n, p, &foot)
+            && fabs(rise_over(s, b, x->n) - x->height) <= flush_of(s, x->b))
+            return true;
     }
     return false;
 }
@@ -527,7 +530,7 @@ static void merge_floor(slider *s, int *of, int n)
                                    contact_reach(s, x->contact),
                                    s->f->ahead[s->a].angle);
     for (int k = 0; k < m.count; k++)
-        if (!is_over(s, of, n, feature_at(&m.point[k].a, a.at))) return;
+        if (!is_over(s, x, feature_at(&m.point[k].a, a.at))) return;
     if (m.count == 0) return;
     take_plane(s, x, &m);
     carry_floor(s, x, of, n);

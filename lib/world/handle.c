@@ -293,7 +293,7 @@ static status take_material(world *w, material *own, material m)
 status world_set_material(world *w, int b, material m)
 {
     assert(b >= 0 && b < w->bodies);
-    world_wake(w, b);
+    world_wake_around(w, b);
     return take_material(w, &w->rigid.material[b], m);
 }
 

@@ -172,11 +172,14 @@ void world_unpin(world *w, int b, int i)
     p->inverse_mass = w->inverse_mass[x->first + i] = inverse;
 }
 
-static status set_number(const char *name, real value, real *number)
+// It may lie otherwise with another number, so it wakes.
+static status set_number(world *w, int b, const char *name, real value,
+                         real *number)
 {
     if (!(value >= 0) || !(value < HUGE_VAL))
         return status_fail("the %s of a body is %g; it must be finite, and 0 or "
                            "more", name, value);
+    world_wake(w, b);
     *number = value;
     return status_ok();
 }
@@ -184,13 +187,13 @@ static status set_number(const char *name, real value, real *number)
 status world_bend(world *w, int b, real stiffness)
 {
     assert(b >= 0 && b < w->bodies && body_is_soft(&w->body[b]));
-    return set_number("stiffness", stiffness, &w->body[b].bending);
+    return set_number(w, b, "stiffness", stiffness, &w->body[b].bending);
 }
 
 status world_stretch(world *w, int b, real compliance)
 {
     assert(b >= 0 && b < w->bodies && body_is_soft(&w->body[b]));
-    return set_number("compliance", compliance, &w->body[b].compliance);
+    return set_number(w, b, "compliance", compliance, &w->body[b].compliance);
 }
 
 // A pinned cloth becomes longer by this share under its own weight, if nothing else

@@ -428,6 +428,69 @@ START_TEST(what_is_put_elsewhere_wakes_what_it_left_and_what_it_meets)
 }
 END_TEST
 
+// A box sleeps on a slope of 17 degrees, a box, a mesh or a table of heights.  When
+// that becomes as smooth as ice, the box slides by g sin a t^2 / 2, of any size.
+// Rejects: a floor that wakes nothing, for it never sleeps.
+START_TEST(what_sleeps_on_a_slope_slides_when_that_becomes_smooth)
+{
+    const double high[4] = { 0 };
+    const int flat[6] = { 0, 2, 1, 0, 3, 2 };
+    for (int k = 0; k < 12; k++) {
+        const double l = (double[]){ 0.05, 1, 10 }[k / 4], a = 4 * l;
+        const tumble_vec3 at[4] = { { -a, 0, -a }, { a, 0, -a }, { a, 0, a },
+                                    { -a, 0, a } };
+        tumble_options o = tumble_options_default();
+        o.gravity = tumble_v(3, -9.81, 0);
+        tumble_world *w = of(&o);
+        tumble_body_options p = tumble_body_at(0, k % 4 < 2 ? -l : 0, 0);
+        p.kind = (tumble_kind[]){ TUMBLE_STATIC, TUMBLE_KINEMATIC }[k % 4 == 1];
+        tumble_shape block = tumble_shape_box(w, tumble_v(2 * a, 2 * l, 2 * a), 1);
+        tumble_body slope = k % 4 < 2 ? tumble_body_add(w, block, p)
+            : k % 4 == 2 ? tumble_body_add_mesh(w, at, 4, flat, 2, 0, p)
+            : tumble_body_add_heights(w, high, 2, 2, 2 * a, 2 * a, 0, p);
+        tumble_shape s = tumble_shape_box(w, tumble_v(l, l, l), 1);
+        tumble_body b = tumble_body_add(w, s, tumble_body_at(0, l / 2, 0));
+        run(w, 3 * fmax(1, sqrt(l)));
+        ck_assert(!tumble_body_is_awake(w, b));
+        double from = tumble_body_position(w, b).x, t = 24 / 60.0;
+        ck_assert(tumble_body_set_material(w, slope, 0, 0));
+        ck_assert(tumble_body_is_awake(w, b));
+        if (l < 0.1) t = 6 / 60.0;
+        run(w, t);
+        // Half a substep more or less, for it falls in steps.
+        near(tumble_body_position(w, b).x - from, 3 * t * t / 2, 3 * t / 480);
+        tumble_world_free(w);
+    }
+}
+END_TEST
+
+// A rope of 0.1 kg and 1 m hangs asleep.  It gives by 0.5 / N: its own weight makes it
+// longer by the mean of what its links bear, 0.5 * 0.981 / 2 m.  One that is held at
+// both vertices of its first link stands out when it becomes stiff.
+// Rejects: a rope that sleeps on as it was.
+START_TEST(a_rope_that_sleeps_wakes_when_it_becomes_soft_or_stiff)
+{
+    for (int k = 0; k < 2; k++) {
+        tumble_world *w = of(NULL);
+        tumble_body b = tumble_body_add(w, tumble_shape_rope(w, 10, 1, 0.1),
+                                        tumble_body_at(0, 0, 0));
+        tumble_body_set_damping(w, b, 2, 0);
+        for (int i = 0; i <= k; i++) tumble_body_pin(w, b, i);
+        run(w, 25);
+        ck_assert(!tumble_body_is_awake(w, b));
+        double was = tumble_body_vertex(w, b, 10).y;
+        if (k == 0) tumble_body_set_stretch(w, b, 0.5);
+        else        tumble_body_set_bending(w, b, 1);
+        ck_assert(tumble_body_is_awake(w, b));
+        run(w, 20);
+        double by = tumble_body_vertex(w, b, 10).y - was;
+        if (k == 0) near(by, -0.5 * 0.981 / 2, 0.002);
+        else        ck_assert(by > 0.5);
+        tumble_world_free(w);
+    }
+}
+END_TEST
+
 // A sheet lies on a static box that is put aside, and then back over the floor, under
 // it.  Rejects: a ghost of the box that the sheet still lies on.
 START_TEST(cloth_meets_a_body_where_it_was_put)
@@ -644,6 +707,8 @@ int main(void)
         a_kinematic_body_turns_as_it_was_told,
         all_pieces_take_what_a_body_is_given,
         what_is_put_elsewhere_wakes_what_it_left_and_what_it_meets,
+        what_sleeps_on_a_slope_slides_when_that_becomes_smooth,
+        a_rope_that_sleeps_wakes_when_it_becomes_soft_or_stiff,
         cloth_meets_a_body_where_it_was_put,
         what_falls_on_a_sheet_on_the_floor_lies_there,
         an_impulse_on_a_vertex_is_divided_by_its_mass,

@@ -87,6 +87,7 @@ void hear_choose(world *w)
         contact *c = cache->active[k];
         if (c->count > 0 && !host->meets(host->chooser, c)) {
             contact_clear(c);
+            cache->of[k]->is_active = false;
             continue;
         }
         cache->active[kept] = c;
@@ -94,5 +95,13 @@ void hear_choose(world *w)
         cache->reach[kept++] = cache->reach[k];
     }
     cache->actives = kept;
+}
+
+void hear_new(world *w, int k)
+{
+    const world_host *host = &w->options.host;
+    contact *c = w->rigid.cache.active[k];
+    if (c->count > 0 && host->meets && !host->meets(host->chooser, c))
+        c->count = w->rigid.cache.of[k]->count = 0;
 }
 //<

@@ -3,7 +3,6 @@
 #include "ahead.h"
 #include "advance.h"
 #include "handle.h"
-#include "hear.h"
 
 #include <stddef.h>
 
@@ -200,6 +199,15 @@ static void predict_side(world *w, int b, real left)
     else w->rigid.asked[b] = w->rigid.now[b].frame;
 }
 
+// A program that chooses contacts was not asked for this one, without points.
+static void choose_again(world *w, int k)
+{
+    const world_host *host = &w->options.host;
+    contact *c = w->rigid.cache.active[k];
+    if (c->count > 0 && host->meets && !host->meets(host->chooser, c))
+        c->count = w->rigid.cache.of[k]->count = 0;
+}
+
 void ahead_again(world *w, const solver_frame *f, real left)
 {
     rigid_tables *t = &w->rigid;
@@ -221,7 +229,7 @@ void ahead_again(world *w, const solver_frame *f, real left)
         predict_side(w, t->cache.active[k]->piece_b, left);
         bool had_none = t->cache.active[k]->count == 0;
         cache_again(&t->cache, &ask, k);
-        if (had_none) hear_new(w, k);
+        if (had_none) choose_again(w, k);
     }
     if (!solver_take_new(s, f, t->cache.active, t->cache.reach))
         w->report.dropped += s->end - s->first;

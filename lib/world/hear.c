@@ -96,12 +96,4 @@ void hear_choose(world *w)
     }
     cache->actives = kept;
 }
-
-void hear_new(world *w, int k)
-{
-    const world_host *host = &w->options.host;
-    contact *c = w->rigid.cache.active[k];
-    if (c->count > 0 && host->meets && !host->meets(host->chooser, c))
-        c->count = w->rigid.cache.of[k]->count = 0;
-}
 //<

@@ -18,8 +18,6 @@ void hear_contacts(world *w);
 
 // Of the contacts of this part of a frame, those stay that options.host.meets says.
 void hear_choose(world *w);
-// Likewise of contact k, which had no points until now.
-void hear_new(world *w, int k);
 
 #endif
 //<

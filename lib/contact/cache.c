@@ -227,7 +227,7 @@ static int body_number(const contact_cache *c, int b)
 static void forget(cache_pair *p)
 {
     p->count = 0;
-    p->is_merged = false;
+    p->is_merged = p->passes = false;
     p->seen[0] = p->seen[1] = -1;
 }
 
@@ -557,12 +557,14 @@ static void query_bodies(contact_cache *c, const cache_frame *f, cache_pair *p,
     collider x = cache_collider(c, f, a), y = cache_collider(c, f, b);
     swept_status swept = SWEPT_OVERLAP;
     now->count = 0;
+    now->is_ahead = false;
     // (What was out of reach is as if it had not been listed.)
     if (p->seen[0] < 0) e->carried.count = 0;
     p->seen[0] = p->seen[1] = -1;
     bool may_pass = flies(f, a, b);
     if (may_pass || turns(f, a, b)) swept = query_swept(now, f);
-    if (swept == SWEPT_TOUCHES || (may_pass && swept == SWEPT_PASSES)) return;
+    p->passes = may_pass && swept == SWEPT_PASSES;
+    if (swept == SWEPT_TOUCHES || p->passes) return;
     real slack = slack_of(c, f, a, b), reach = pair_reach(f, a, b);
     manifold m;
     bool is_ahead = query_ahead(f, now, x, y, 2 * slack, &e->carried, &reach,
@@ -617,7 +619,7 @@ static void activate_pair(const contact_cache *c, const cache_frame *f,
                           cache_pair *p, int a, int b)
 {
     p->is_active = false;
-    if (p->count == 0 || p->entry < 0) return;
+    if ((p->count == 0 && !p->passes) || p->entry < 0) return;
     if (!f->moves[a] && (b < 0 || !f->moves[b])) return;
     real paths = paths_of(c, a, b);
     if (p->near - paths > pair_reach(f, a, b)) return;
@@ -653,7 +655,8 @@ static void gather_pair(contact_cache *c, const cache_frame *f, cache_pair *p)
         c->placing[now->piece_a].corners = c->updates;
         if (now->piece_b >= 0) c->placing[now->piece_b].corners = c->updates;
     }
-    c->fast += p->seen[0] < 0 && now->b >= 0
+    c->passing += p->passes;
+    c->fast += p->count > 0 && p->seen[0] < 0 && now->b >= 0
              && flies(f, now->piece_a, now->piece_b);
     c->reach[c->actives] = pair_reach(f, now->piece_a, now->piece_b);
     c->active[c->actives] = now;
@@ -669,7 +672,7 @@ static bool grow_active(contact_cache *c, int need)
 
 static void gather_active(contact_cache *c, const cache_frame *f)
 {
-    c->actives = c->fast = 0;
+    c->actives = c->fast = c->passing = 0;
     if (!grow_active(c, c->entries)) {
         c->lost += c->entries;
         return;
@@ -714,7 +717,8 @@ void cache_again(contact_cache *c, const cache_frame *f, int k)
 
 void cache_note(contact_cache *c, const contact_solver *s)
 {
-    for (int k = 0; k < s->contacts; k++) c->of[k]->near += s->active[k].least;
+    for (int k = 0; k < s->contacts; k++)
+        if (c->of[k]->count > 0) c->of[k]->near += s->active[k].least;
 }
 
 void cache_moved(contact_cache *c, int b, real way)

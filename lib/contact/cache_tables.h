@@ -67,6 +67,8 @@ typedef struct {
                         // good for this frame only
     bool is_asked, is_active;   // in this frame
     bool is_merged;     // a neighbour's contact has its points
+    bool passes;        // one flies past the other, or is held by a third before
+                        // it comes there, unless it is turned aside
     signed char count;  // points
     real margin;        // m, everything nearer was found
     real near;          // m, its least gap, and how far both bodies had gone by
@@ -125,7 +127,8 @@ typedef struct {
     long queries;       // asked in this frame
     long found;         // contacts, ever
     int  lost;          // contacts that found no memory
-    int  fast;          // contacts of bodies that meet later in the frame
+    int  fast;          // contacts of bodies that meet later in the frame,
+    int  passing;       // and pairs that may yet, if they are turned aside
 } contact_cache;
 
 // What the threads of an update are given.

@@ -379,7 +379,7 @@ static void drop(side *x)
 {
     x->contact->count = x->points = 0;
     x->pair->count = 0;
-    x->pair->is_active = false;
+    x->pair->is_active = x->pair->passes;
 }
 
 // What overlaps by more than what bears may give way is parted where it is met: no
@@ -389,10 +389,13 @@ static bool is_deep_in(const slider *s, const side *x)
     return apart_along(s, x->b, x->n) < -flush_of(s, x->b);
 }
 
+// (What hides a side that would be met later may turn the body to it.)
 static void correct_side(const slider *s, side *x)
 {
     vec3 n;
-    if (find_holder(s, x, &n)) {
+    bool is_held = find_holder(s, x, &n);
+    x->pair->passes |= x->pair->seen[0] < 0 && (is_held || x->is_covered);
+    if (is_held) {
         if (!aim(s, x, n)) drop(x);
     } else if (x->is_covered) {
         if (!aim_at_face(s, x) && !is_deep_in(s, x)) drop(x);

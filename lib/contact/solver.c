@@ -529,7 +529,9 @@ bool solver_take_new(contact_solver *s, const solver_frame *f,
     bool fits = true;
     for (int k = s->first; k < s->end; k++) {
         if (!s->active[k].is_new) continue;
+        bool has_block = s->active[k].count > 0;
         activate(&s->active[k], table[k], &here, reach[k]);
+        fits &= has_block || s->active[k].count == 0;
         s->strikes |= solver_strikes(f, table[k]);
     }
     for (int n = 0; n < s->blocks; n++) fits &= has_room(s, &s->block[n]);

@@ -42,6 +42,7 @@ typedef struct {
 
 // How a body may move in a frame.
 typedef struct {
+    real seconds;       // s, the time of it
     vec3 way;           // m, its centre's, as fast as it is now
     real turn;          // m, what its vertices may go beside that
     real reach;         // m, both together

@@ -39,7 +39,7 @@ static prediction predict(const world *w, int b, real dt)
         motion more = world_load(w, b, dt);
         beside += dt * motion_fastest(&now->basis, &more, now->radius);
     }
-    prediction p = { .way = vec3_scale(dt, straight),
+    prediction p = { .seconds = dt, .way = vec3_scale(dt, straight),
                      .spin = vec3_scale(dt, spin) };
     p.angle = vec3_length(p.spin);
     p.arc = arc_of(w, b, p.spin, p.angle);
@@ -146,6 +146,25 @@ static real turned_of(const world *w, const contact *c, int b)
     return if_far(w, b, advance_leaned(w, b, &t->cache.placed[b]));
 }
 
+// Does body b go elsewhere by now, in `left` (s), than it was asked for?
+static bool strays(const world *w, int b, real left)
+{
+    const rigid_tables *t = &w->rigid;
+    if (b < 0 || !t->moves[b]) return false;
+    const prediction *p = &t->ahead[b];
+    vec3 now = vec3_scale(left, motion_straight(&t->velocity[b]));
+    vec3 was = vec3_scale(left / p->seconds, p->way);
+    return vec3_distance(now, was) > p->turn - p->arc;
+}
+
+// They passed each other, as they went when they were asked.
+static bool pass_no_more(const world *w, int k, real left)
+{
+    const contact *c = w->rigid.cache.active[k];
+    return w->rigid.cache.of[k]->passes
+        && (strays(w, c->a, left) || strays(w, c->b, left));
+}
+
 // Where the points that were found are further open than that, no other touches.
 static bool is_used_up(const world *w, const active_contact *x,
                        const contact *c)
@@ -180,15 +199,25 @@ static void predict_side(world *w, int b, real left)
     else w->rigid.asked[b] = w->rigid.now[b].frame;
 }
 
+// A program that chooses contacts was not asked for this one, without points.
+static void choose_again(world *w, int k)
+{
+    const world_host *host = &w->options.host;
+    contact *c = w->rigid.cache.active[k];
+    if (c->count > 0 && host->meets && !host->meets(host->chooser, c))
+        c->count = w->rigid.cache.of[k]->count = 0;
+}
+
 void ahead_again(world *w, const solver_frame *f, real left)
 {
     rigid_tables *t = &w->rigid;
     contact_solver *s = &t->solver;
     bool some = false;
-    if (!find_all_turned(w)) return;
+    if (!find_all_turned(w) && t->cache.passing == 0) return;
     for (int k = s->first; k < s->end; k++) {
         active_contact *x = &s->active[k];
-        x->is_new = is_used_up(w, x, t->cache.active[k]);
+        x->is_new = is_used_up(w, x, t->cache.active[k])
+                 || pass_no_more(w, k, left);
         some |= x->is_new;
     }
     if (!some) return;
@@ -198,7 +227,9 @@ void ahead_again(world *w, const solver_frame *f, real left)
         if (!s->active[k].is_new) continue;
         predict_side(w, t->cache.active[k]->piece_a, left);
         predict_side(w, t->cache.active[k]->piece_b, left);
+        bool had_none = t->cache.active[k]->count == 0;
         cache_again(&t->cache, &ask, k);
+        if (had_none) choose_again(w, k);
     }
     if (!solver_take_new(s, f, t->cache.active, t->cache.reach))
         w->report.dropped += s->end - s->first;

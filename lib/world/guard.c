@@ -468,7 +468,8 @@ static void stop_closing(rigid_tables *t, int small, int large,
     motion_push(v, b, s->arm, vec3_scale(apart / k, s->normal));
 }
 
-static void stop_passing(rigid_tables *t, int small, int large)
+// Was one of them stopped?
+static bool stop_passing(rigid_tables *t, int small, int large)
 {
     const rigid_frame *end = &t->now[large].frame;
     const rigid_frame *began = &t->began[large];
@@ -477,33 +478,58 @@ static void stop_passing(rigid_tables *t, int small, int large)
                                             began->center));
     line_passage x = find_passage(&t->body[large], from,
                                   frame_local(end, vec3_sub(to, end->center)));
-    if (x.face < 0 || cuts_corner(&t->body[large], &x)) return;
+    if (x.face < 0 || cuts_corner(&t->body[large], &x)) return false;
     lost_side s = side_of(t, large, x.face, end, from, to,
                           t->body[small].inner);
     move_both(t, small, large, &s);
     stop_closing(t, small, large, &s);
+    return true;
 }
 
-// Only where they may go as far as the ball inside the smaller one.  (Not what hangs
-// together by joints, which would be torn.)
+// Only where they may have gone as far as the ball inside the smaller one.  (Not what
+// hangs together by joints, which would be torn.)
+static bool may_pass(world *w, int a, int b, int small)
+{
+    const rigid_tables *t = &w->rigid;
+    return t->reach[a] + t->reach[b] > t->body[small].inner
+        && !w->body[a].rides && !w->body[b].rides
+        && !linkage_unites(&w->joints, a, b);
+}
+
+// All pairs that are listed, whatever was thrown where; of a program that chooses
+// contacts, those that it chose.
+static bool stop_all(world *w)
+{
+    rigid_tables *t = &w->rigid;
+    bool some = false, chooses = w->options.host.meets;
+    for (int k = 0; k < t->cache.pairs.count; k++) {
+        const cache_pair *p = &t->cache.pairs.pair[k];
+        int a = p->key[0], b = p->key[1];
+        if (chooses && !(p->is_active && p->count > 0)) continue;
+        bool is_a = t->now[a].radius < t->now[b].radius;
+        int small = is_a ? a : b, large = is_a ? b : a;
+        some |= may_pass(w, a, b, small) && stop_passing(t, small, large);
+    }
+    return some;
+}
+
+// What one side has stopped may be behind the next, as in the corner of a room: so
+// they take turns, and what is lifted over the ground may be beside its walls.
 void guard_bodies(world *w)
 {
     rigid_tables *t = &w->rigid;
     bool some = false;
     for (int k = 0; k < t->awakes; k++) {
         int b = t->awake[k];
-        some |= t->moves[b] && 2 * t->reach[b] > t->body[b].inner;
+        real gone = vec3_distance(t->now[b].frame.center, t->began[b].center);
+        if (!t->moves[b]) continue;
+        t->reach[b] = real_max(t->reach[b], gone);
+        some |= 2 * t->reach[b] > t->body[b].inner;
     }
     if (some) join_unite(w);
-    for (int k = 0; k < t->cache.actives && some; k++) {
-        int a = t->cache.active[k]->a, b = t->cache.active[k]->b;
-        if (b < 0) continue;
-        bool is_a = t->now[a].radius < t->now[b].radius;
-        int small = is_a ? a : b, large = is_a ? b : a;
-        bool may = t->reach[a] + t->reach[b] > t->body[small].inner;
-        if (may && !w->body[a].rides && !w->body[b].rides
-            && !linkage_unites(&w->joints, a, b))
-            stop_passing(t, small, large);
+    for (int k = 0; k < CONTACT_ROUNDS && some; k++) {
+        guard_walls(w);
+        some = stop_all(w);
     }
 }
 //<

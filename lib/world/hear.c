@@ -87,6 +87,7 @@ void hear_choose(world *w)
         contact *c = cache->active[k];
         if (c->count > 0 && !host->meets(host->chooser, c)) {
             contact_clear(c);
+            cache->of[k]->is_active = false;
             continue;
         }
         cache->active[kept] = c;

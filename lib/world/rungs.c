@@ -76,7 +76,8 @@ static void find_islands(world *w)
                                            .is_calm = true };
     for (int k = 0; k < t->solver.contacts; k++) {
         const active_contact *x = &t->solver.active[k];
-        if (x->count > 0 && x->sides == TWO_SIDED) unite(t, x->a, x->b);
+        bool may_touch = x->count > 0 || t->cache.of[k]->passes;
+        if (may_touch && x->sides == TWO_SIDED) unite(t, x->a, x->b);
     }
     for (int k = 0; k < w->joints.count; k++) {
         const joint *j = &w->joints.joint[k];

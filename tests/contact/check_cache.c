@@ -361,7 +361,7 @@ START_TEST(bullet_touches_as_it_will_first)
 END_TEST
 
 // Rejects: a bullet that is stopped by what it passes; contacts of a pass that
-// are kept for the next frame.
+// are kept for the next frame; a pair that cannot be asked again, if it is struck.
 START_TEST(bullet_that_passes_by_touches_nothing)
 {
     int b = add(BALL, vec3_make(2.6, 2, 0), 0);
@@ -373,7 +373,9 @@ START_TEST(bullet_that_passes_by_touches_nothing)
     for (int f = 0; f < 2; f++) {
         update();
         ck_assert_int_eq(cache.queries, 1);
-        ck_assert_int_eq(cache.actives, 0);
+        ck_assert_int_eq(cache.actives, 1);
+        ck_assert(cache.of[0]->passes && cache.active[0]->count == 0);
+        ck_assert_int_eq(cache.fast, 0);
     }
 }
 END_TEST

@@ -161,10 +161,10 @@ typedef struct {
                             // body's radius, joints apart by a hundredth of
                             // it, or with axes off by a hundredth of a radian,
                             // ropes and cloths that are stretched by a
-                            // hundredth, or are not yet out of what they, or
-                            // it, were set down in, and bodies that were
-                            // stopped, for their numbers were lost: that is a
-                            // failure, too, and has a sentence
+                            // hundredth, or cut by a body, or are not yet out
+                            // of what they, or it, were set down in, and
+                            // bodies that were stopped, for their numbers were
+                            // lost: that is a failure, too, and has a sentence
     int prevented;          // unless options say otherwise: pairs of triangles of
                             // cloth that were kept from crossing each other, for
                             // what was asked for could not be;

@@ -368,7 +368,23 @@ static bool is_stretched(const shape *s, const particle *p)
     return false;
 }
 
-int soft_stretched(const soft_frame *f)
+static bool is_cut(soft_solver *s, const soft_frame *f, int a)
+{
+    const near_lists *l = &s->near;
+    aabb around = aabb_empty();
+    bool is = false;
+    for (int i = 0; i < body_particles(&f->body[a]); i++)
+        around = aabb_with(around,
+                           f->particle[f->body[a].first + i].position);
+    for (int k = 0; k < l->candidates && !is; k++) {
+        int b = l->candidate[k];
+        is = !body_is_soft(&f->body[b]) && soft_meets(f, a, b)
+          && touch_is_cut(&s->view, f, a, b, around);
+    }
+    return is;
+}
+
+int soft_unconverged(soft_solver *s, const soft_frame *f)
 {
     int count = 0;
     for (int n = 0; n < f->softs; n++) {
@@ -377,7 +393,8 @@ int soft_stretched(const soft_frame *f)
         if (!soft_moves(f, f->soft[n])) continue;
         count += *sunk == SUNK
               || (!(x->compliance > 0)
-                  && is_stretched(x->shape, f->particle + x->first));
+                  && is_stretched(x->shape, f->particle + x->first))
+              || is_cut(s, f, f->soft[n]);
         if (*sunk > SUNK_PERHAPS) *sunk = *sunk == SUNK ? SUNK_BEFORE : SUNK_NOT;
     }
     return count;

@@ -511,33 +511,56 @@ void hold_facets(const near_lists *l, rigid_view *v, const soft_frame *f)
 
 //> touch-clear
 //>   Joints ask the same two queries whether a cloth is clear of a body
-//>   (chapter 17, *Pins*).
-static bool facet_is_clear(const rigid_view *v, const soft_frame *f, int a,
-                           int k, real apart)
+//>   (chapter 17, *Pins*), and the report asks whether it is cut by one.
+static int soft_facets(const body *soft)
+{
+    const shape *s = soft->shape;
+    return s->mesh.faces > 0 ? s->mesh.faces : s->sticks;
+}
+
+static void facet_ends(const soft_frame *f, const body *soft, int k,
+                       vec3 end[FACET])
 {
     int number[FACET];
-    vec3 end[FACET];
-    plane between = { { 0, 0, 0 }, 0 };
-    facet_touch t;
-    facet_corners(&f->body[a], k, number);
+    facet_corners(soft, k, number);
     for (int i = 0; i < FACET; i++) end[i] = f->particle[number[i]].position;
-    return !facet_nearest(&v->hull, end, &between, apart, &t);
 }
 
 bool touch_is_clear(rigid_view *v, const soft_frame *f, int a, int b)
 {
     const body *soft = &f->body[a], *rigid = &f->body[b];
-    const shape *s = soft->shape;
-    int facets = s->mesh.faces > 0 ? s->mesh.faces : s->sticks;
     real apart = soft_gap(soft, rigid);
     surface_point at;
     rigid_view_update(v, f, b);
-    for (int i = soft->first; i < soft->first + s->particles; i++)
+    for (int i = soft->first; i < soft->first + body_particles(soft); i++)
         if (obstacle_nearest(&v->hull, f->particle[i].position, 0, apart, &at))
             return false;
-    for (int k = 0; k < facets; k++)
-        if (!facet_is_clear(v, f, a, k, facet_gap(soft, rigid))) return false;
+    for (int k = 0; k < soft_facets(soft); k++) {
+        vec3 end[FACET];
+        plane between = { { 0, 0, 0 }, 0 };
+        facet_touch t;
+        facet_ends(f, soft, k, end);
+        if (facet_nearest(&v->hull, end, &between, facet_gap(soft, rigid), &t))
+            return false;
+    }
     return true;
+}
+
+// Most bodies are nowhere near, and most facets in front of the same plane.
+bool touch_is_cut(rigid_view *v, const soft_frame *f, int a, int b, aabb around)
+{
+    const body *soft = &f->body[a];
+    sphere ball = { soft_rigid_frame(f, b).center, f->now[b].radius };
+    if (aabb_distance_squared(&around, ball.center) > ball.radius * ball.radius)
+        return false;
+    rigid_view_update(v, f, b);
+    int ahead = 0;
+    for (int k = 0; k < soft_facets(soft); k++) {
+        vec3 end[FACET];
+        facet_ends(f, soft, k, end);
+        if (!obstacle_is_apart(&v->hull, end, FACET, &ahead)) return true;
+    }
+    return false;
 }
 //<
 

@@ -223,6 +223,32 @@ END_TEST
 
 // --- What a step reports -----------------------------------------------------
 
+// Of all sizes: no thread is stretched, and the body is through it.  (It was said of
+// threads alone.)
+START_TEST(a_report_says_that_a_body_is_through_cloth)
+{
+    for (double size = 0.01; size < 20; size *= 10) {
+        tumble_world *w = weightless();
+        tumble_body sheet = tumble_body_add(
+            w, tumble_shape_cloth(w, 9, 9, size, size, 0.1 * size * size),
+            tumble_body_at(0, 0, 0));
+        for (int i = 0; i < 81; i++) tumble_body_pin(w, sheet, i);
+        tumble_body_options o = tumble_body_at(0, size, 0.03 * size);
+        o.kind = TUMBLE_KINEMATIC;
+        o.pose.rotation = tumble_quat_turn(tumble_v(1, 0, 0.3), 0.5);
+        tumble_body b = tumble_body_add(
+            w, tumble_shape_box(w, tumble_v(0.3 * size, size, 0.3 * size), 1), o);
+        tumble_world_step(w);
+        ck_assert_int_eq(tumble_world_last_step(w).unconverged, 0);
+        o.pose.position.y = 0.4 * size;
+        tumble_body_set_pose(w, b, o.pose);
+        tumble_world_step(w);
+        ck_assert_int_eq(tumble_world_last_step(w).unconverged, 1);
+        tumble_world_free(w);
+    }
+}
+END_TEST
+
 START_TEST(a_report_counts_what_there_is)
 {
     tumble_world *w = with_floor(NULL);
@@ -637,6 +663,7 @@ int main(void)
         substeps_are_as_many_as_options_let_them_be,
         a_hard_step_takes_no_more_substeps_than_it_may,
         work_is_run_by_the_program_if_it_wants,
+        a_report_says_that_a_body_is_through_cloth,
         a_report_counts_what_there_is,
         measures_are_those_of_the_textbook,
         a_body_takes_its_options_at_once_or_later,

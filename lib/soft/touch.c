@@ -565,7 +565,8 @@ bool touch_is_cut(rigid_view *v, const soft_frame *f, int a, int b, aabb around)
 //<
 
 //> touch-particles
-//>   Planes and pairs of particles need only a loop.
+//>   Planes and pairs of particles need only a loop. A rope that is nailed is as
+//>   fixed as a plane, and holds what lies on its links as one does.
 static bool touch_plane(const soft_frame *f, int i, plane wall, real apart,
                         material m)
 {
@@ -592,16 +593,48 @@ int touch_planes(const soft_frame *f)
     return touching;
 }
 
+// The point of a nailed rope's links at particle `nailed` that is nearest to x.
+static vec3 nailed_point(const soft_frame *f, int nailed, vec3 x)
+{
+    const body *b = &f->body[f->owner[nailed]];
+    vec3 at = f->particle[nailed].position, nearest = at;
+    for (int next = nailed - 1; next <= nailed + 1; next += 2) {
+        bool is_link = b->shape->rows == 1 && next >= b->first
+                    && next < b->first + body_particles(b);
+        if (!is_link || f->particle[next].inverse_mass != 0) continue;
+        vec3 link = vec3_sub(f->particle[next].position, at);
+        real part = vec3_dot(vec3_sub(x, at), link) / vec3_length_squared(link);
+        if (part > 0) nearest = vec3_add_scaled(at, real_min(part, 1), link);
+    }
+    return nearest;
+}
+
+// A particle that is nailed is a thing that does not move, and holds as one.
+static bool touch_nailed(const soft_frame *f, int i, int nailed, real apart,
+                         material m)
+{
+    vec3 x = f->particle[i].position, at = nailed_point(f, nailed, x);
+    vec3 normal = vec3_unit(vec3_sub(x, at));
+    return touch_fixed(f, i, (surface_point){ at, normal }, apart, m);
+}
+
 int touch_pairs(const near_lists *l, const soft_frame *f, real *deepest)
 {
     int touching = 0;
     for (int k = 0; k < l->pairs; k++) {
         particle_contact c = l->pair[k];
-        if (!particle_contact_overlaps(&c, f->particle)) continue;
         int a = f->owner[c.a], b = f->owner[c.b];
-        real mu = soft_material(f, a, b).friction;
+        material m = soft_material(f, a, b);
         if (a != b) c.distance *= real_min(l->gap[a], l->gap[b]);
-        real depth = particle_contact_separate(c, f->particle, mu);
+        bool a_is_nailed = f->particle[c.a].inverse_mass == 0;
+        bool b_is_nailed = f->particle[c.b].inverse_mass == 0;
+        if (a != b && a_is_nailed != b_is_nailed) {
+            touching += touch_nailed(f, a_is_nailed ? c.b : c.a,
+                                     a_is_nailed ? c.a : c.b, c.distance, m);
+            continue;
+        }
+        if (!particle_contact_overlaps(&c, f->particle)) continue;
+        real depth = particle_contact_separate(c, f->particle, m.friction);
         touching += depth > 0;
         if (depth > *deepest * c.distance) *deepest = depth / c.distance;
     }

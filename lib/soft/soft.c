@@ -336,16 +336,15 @@ void soft_certify(soft_solver *s, const soft_frame *f)
 {
     certificate *c = &s->proof;
     real since = c->since;
-    certificate_end(c, f);
+    certificate_end(c, f, &s->near, &s->view);
     int prevented = c->prevented;
     for (int k = 0; k < TURNS_OF_PROOF && c->prevented > 0; k++) {
         c->since = since;
         for (int n = 0; n < f->softs; n++) {
             const body *b = &f->body[f->soft[n]];
-            if (b->shape->rows > 1 && soft_moves(f, f->soft[n]))
-                draw_parted(s, f, b);
+            if (soft_moves(f, f->soft[n])) draw_parted(s, f, b);
         }
-        certificate_end(c, f);
+        certificate_end(c, f, &s->near, &s->view);
     }
     c->prevented = prevented;
 }
@@ -463,7 +462,7 @@ void soft_begin(soft_solver *s, const soft_frame *f)
         s->held[b] |= is_soft && is_pinned(f, &f->body[b]);
     }
     near_begin(&s->near, f, s->ahead);
-    if (f->certified) certificate_begin(&s->proof, f);
+    if (f->certified) certificate_begin(&s->proof, f, &s->near);
 }
 
 static bool balls_near(sphere a, sphere b, real margin)

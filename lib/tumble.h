@@ -112,7 +112,8 @@ typedef struct {
                             // rolls at less than 30 times that, and is not
                             // pulled along, is braked by 1/100 of its weight.)
     double time_to_sleep;   // s, 0.5
-    bool   certified;       // cloth never crosses cloth, whatever is demanded:
+    bool   certified;       // cloth never crosses cloth, whatever is demanded,
+                            // nor a body, unless two bodies, or pins, demand it:
                             // where it must, it is stopped and stretches for it,
                             // and the report says so; true.  A frame of cloth
                             // costs up to three tenths more, and several times
@@ -161,13 +162,13 @@ typedef struct {
                             // body's radius, joints apart by a hundredth of
                             // it, or with axes off by a hundredth of a radian,
                             // ropes and cloths that are stretched by a
-                            // hundredth, or are not yet out of what they, or
-                            // it, were set down in, and bodies that were
-                            // stopped, for their numbers were lost: that is a
-                            // failure, too, and has a sentence
+                            // hundredth, or cut by a body, or are not yet out
+                            // of what they, or it, were set down in, and
+                            // bodies that were stopped, for their numbers were
+                            // lost: that is a failure, too, and has a sentence
     int prevented;          // unless options say otherwise: pairs of triangles of
-                            // cloth that were kept from crossing each other, for
-                            // what was asked for could not be;
+                            // cloth, or of one and a body, that were kept from
+                            // crossing, for what was asked for could not be;
     int crossed;            // and that cross, as they did before
     int dropped;            // contacts that found no memory
     int broken;             // joints that broke

@@ -16,6 +16,8 @@ enum { FEW = 4 };       // cells of a part that has no boxes within
 typedef struct {
     certificate *c;
     const soft_frame *f;
+    const near_lists *near;     // what rigid bodies it may meet; NULL: none
+    rigid_view *view;
     const cell_range *in;       // NULL, or nothing else is looked at
     int from;                   // the end that is asked first
 } frame_search;
@@ -790,6 +792,157 @@ static bool may_check_kept(const frame_search *l)
 }
 //<
 
+//> certificate-bodies
+//>   A facet and a rigid body are parted as the body sees it: it stands, and the
+//>   facet comes from where the body has carried its beginning. The plane of
+//>   chapter 04 between the body and both ends, edges and all, is the witness.
+static int patch_of(certificate *c, int v)
+{
+    while (c->of[v].patch != v) {
+        c->of[v].patch = c->of[c->of[v].patch].patch;
+        v = c->of[v].patch;
+    }
+    return v;
+}
+
+// Where the body stands at an end: its frame has four vectors, as it has particles.
+static rigid_frame frame_at(const certificate *c, const body *b, int e)
+{
+    const vec3 *x = &c->at[e][b->first];
+    return (rigid_frame){ x[0], { x[1], x[2], x[3] } };
+}
+
+static void put_frame(certificate *c, const soft_frame *f, int b, int e)
+{
+    rigid_frame now = soft_rigid_frame(f, b);
+    vec3 *x = &c->at[e][f->body[b].first];
+    x[0] = now.center;
+    for (int k = 0; k < FOUR_AXES; k++) x[k + 1] = now.axis[k];
+}
+
+// From where all began to where the body has carried it.
+static vec3 carried(const certificate *c, const body *b, vec3 x)
+{
+    if (body_is_fixed(b)) return x;
+    rigid_frame was = frame_at(c, b, 0), is = frame_at(c, b, 1);
+    return frame_point(&is, frame_local(&was, vec3_sub(x, was.center)));
+}
+
+// (What a round body only turns past, it does not take along: so the way of its
+// centre is asked, too.)
+static bool has_body_plane(const frame_search *l, const certified_set *s,
+                           const body *b, int *ahead)
+{
+    const certificate *c = l->c;
+    vec3 at[ENDS * FACET];
+    vec3 way = vec3_sub(c->at[1][b->first], c->at[0][b->first]);
+    for (int turns = 1; turns >= 0; turns--) {
+        for (int k = 0; k < FACET; k++) {
+            vec3 was = c->at[0][s->vertex[k]];
+            at[k] = c->at[1][s->vertex[k]];
+            at[FACET + k] = turns ? carried(c, b, was) : vec3_add(was, way);
+        }
+        if (obstacle_is_apart(&l->view->hull, at, ENDS * FACET, ahead))
+            return true;
+    }
+    return false;
+}
+
+static void part_from_body(const frame_search *l, certified_set s, int b,
+                           int *ahead)
+{
+    certificate *c = l->c;
+    const obstacle *solid = &l->view->hull;
+    vec3 at[FACET];
+    if (has_body_plane(l, &s, &l->f->body[b], ahead)) return;
+    int with = c->of[patch_of(c, s.vertex[0])].rides;
+    for (int k = 0; k < FACET; k++)
+        at[k] = carried(c, &l->f->body[b], c->at[0][s.vertex[k]]);
+    gjk_result g = gjk_distance((hull){ at, FACET }, solid->vertices,
+                                HUGE_VAL, NULL);
+    vec3 n = vec3_unit(g.axis);
+    real gap = g.distance - solid->round, top = -HUGE_VAL;
+    // It was in it, or another body has it.
+    if (!(gap > c->rounding) || (with >= 0 && with != b)) {
+        c->left_out++;
+        return;
+    }
+    for (int k = 0; k < solid->vertices.count; k++)
+        top = real_max(top, vec3_dot(n, solid->vertices.at[k]) + solid->round);
+    if (c->cuts < c->particles) c->cut[c->cuts] = (facet_cut){ s, b, n, top, gap };
+    c->cuts++;
+}
+
+// So far from where it was, at most, the body has been in the way.
+static aabb way_of_body(const frame_search *l, int b)
+{
+    const body *x = &l->f->body[b];
+    const obstacle *solid = &l->view->hull;
+    aabb box = aabb_empty();
+    real far = 0;
+    for (int k = 0; k < solid->vertices.count; k++)
+        box = aabb_with(box, solid->vertices.at[k]);
+    rigid_frame was = frame_at(l->c, x, 0), is = frame_at(l->c, x, 1);
+    for (int k = 0; k < FOUR; k++)
+        far = real_max(far, vec3_distance(vec3_add(was.center, frame_arm(&was, k)),
+                                          vec3_add(is.center, frame_arm(&is, k))));
+    return aabb_wider(box, solid->round + 2 * far);
+}
+
+static void search_body(const frame_search *l, const aabb *way, cell_part p, int b,
+                        int *ahead)
+{
+    cell_part half[2];
+    const aabb *box = p.box >= 0 ? l->c->box[p.box].at : NULL;
+    if (box) {
+        aabb all = aabb_join(box[0], box[1]);
+        if (!aabbs_meet(&all, way)) return;
+    }
+    if (cells_in(p.cells) == 1) {
+        for (int k = 0; k < 2; k++)
+            part_from_body(l, triangle_of(l, p.cells, k), b, ahead);
+        return;
+    }
+    halve(p, half);
+    for (int k = 0; k < 2; k++) search_body(l, way, half[k], b, ahead);
+}
+
+static void search_links(const frame_search *l, const aabb *way, int a, int b,
+                         int *ahead)
+{
+    const body *x = &l->f->body[a];
+    for (int k = 0; k < x->shape->sticks; k++) {
+        certified_set s = { .part = { { .body = a }, -1 }, .count = FACET };
+        aabb link = aabb_empty();
+        facet_corners(x, k, s.vertex);
+        for (int i = 0; i < ENDS * FACET; i++)
+            link = aabb_with(link, l->c->at[i / FACET][s.vertex[i % FACET]]);
+        if (aabbs_meet(&link, way)) part_from_body(l, s, b, ahead);
+    }
+}
+
+static void search_bodies(const frame_search *l)
+{
+    certificate *c = l->c;
+    const soft_frame *f = l->f;
+    c->cuts = 0;
+    for (int k = 0; l->near && k < l->near->candidates; k++) {
+        int b = l->near->candidate[k];
+        if (body_is_soft(&f->body[b])) continue;
+        rigid_view_update(l->view, f, b);
+        aabb way = way_of_body(l, b);
+        for (int n = 0; n < f->softs; n++) {
+            int a = f->soft[n], ahead = 0;
+            if (!soft_moves(f, a) || !soft_meets(f, a, b)) continue;
+            box_all(l);
+            if (is_certified(f, a))
+                search_body(l, &way, whole_soft(l, a), b, &ahead);
+            else search_links(l, &way, a, b, &ahead);
+        }
+    }
+}
+//<
+
 //> certificate-part
 //>   Two facets that have no plane are parted along the one that they had when
 //>   the frame began, by the least moves that do it and push nothing away: those
@@ -863,6 +1016,34 @@ static void part_clash(const frame_search *l, const facet_clash *x)
             *at = vec3_add_scaled(*at, middle - side[k].at, x->normal);
     }
 }
+// What a vertex gets, the body loses (kg m, in the time of the way); but what began
+// in it is not thrown.
+static void push_back(const frame_search *l, const facet_cut *cut, vec3 at,
+                      vec3 push)
+{
+    const soft_frame *f = l->f;
+    const body *x = &f->body[cut->body];
+    int whole = body_whole(x, cut->body);
+    if (body_is_fixed(x) || f->sunk[cut->set.part.cells.body] != SUNK_NOT) return;
+    vec3 arm = vec3_sub(at, l->c->at[1][x->first]);
+    motion_push(&f->velocity[whole], &f->now[whole].basis, arm,
+                vec3_scale(1 / l->c->since, push));
+}
+
+// A body's side is where it is.
+static void part_cut(const frame_search *l, const facet_cut *x)
+{
+    real thick = l->f->body[x->set.part.cells.body].thickness;
+    real least = x->top + real_min(x->gap, KEEPS * thick);
+    for (int k = 0; k < FACET; k++) {
+        int v = x->set.vertex[k];
+        vec3 *at = &l->c->at[1][v];
+        real lacks = least - vec3_dot(x->normal, *at);
+        if (!(lacks > 0) || is_fixed(l, v)) continue;
+        *at = vec3_add_scaled(*at, lacks, x->normal);
+        push_back(l, x, *at, vec3_scale(-lacks * weight_of(l, v), x->normal));
+    }
+}
 //<
 
 //> certificate-as-one
@@ -874,27 +1055,20 @@ static vec3 path_at(const certificate *c, int v)
     return vec3_sub(c->at[1][v], c->at[0][v]);
 }
 
-static int patch_of(certificate *c, int v)
-{
-    while (c->of[v].patch != v) {
-        c->of[v].patch = c->of[c->of[v].patch].patch;
-        v = c->of[v].patch;
-    }
-    return v;
-}
-
 static void forget_patches(certificate *c)
 {
     for (int v = 0; v < c->particles; v++) {
         c->of[v].patch = v;
         c->of[v].is_whole = false;
+        c->of[v].rides = -1;
     }
 }
 
 static void join_components(certificate *c, int v, int to)
 {
-    int first = patch_of(c, to);
-    c->of[patch_of(c, v)].patch = first;
+    int first = patch_of(c, to), other = patch_of(c, v);
+    if (c->of[first].rides < 0) c->of[first].rides = c->of[other].rides;
+    c->of[other].patch = first;
     c->of[first].is_whole = true;
 }
 
@@ -903,6 +1077,14 @@ static void join_clash(certificate *c, const facet_clash *x)
     for (int i = 0; i < 2; i++)
         for (int k = 0; k < x->set[i].count; k++)
             join_components(c, x->set[i].vertex[k], x->set[0].vertex[0]);
+}
+
+// What a body cuts goes as the body does.
+static void join_cut(certificate *c, const facet_cut *x)
+{
+    for (int k = 0; k < FACET; k++)
+        join_components(c, x->set.vertex[k], x->set.vertex[0]);
+    c->of[patch_of(c, x->set.vertex[0])].rides = c->carrier = x->body;
 }
 
 static void join_cloths(const frame_search *l, const facet_clash *x)
@@ -934,7 +1116,9 @@ static void move_as_one(const frame_search *l)
     for (int v = 0; v < c->particles; v++) {
         const certified_vertex *p = &c->of[patch_of(c, v)];
         if (!p->is_whole || is_fixed(l, v)) continue;
-        c->at[1][v] = vec3_add_scaled(c->at[0][v], 1 / p->mass, p->way);
+        c->at[1][v] = p->rides >= 0
+            ? carried(c, &l->f->body[p->rides], c->at[0][v])
+            : vec3_add_scaled(c->at[0][v], 1 / p->mass, p->way);
     }
 }
 
@@ -942,6 +1126,7 @@ static void move_patches(const frame_search *l)
 {
     certificate *c = l->c;
     for (int k = 0; k < c->clashes; k++) join_clash(c, &c->clash[k]);
+    for (int k = 0; k < c->cuts; k++) join_cut(c, &c->cut[k]);
     move_as_one(l);
 }
 
@@ -959,6 +1144,13 @@ static void search_at_ends(const frame_search *l)
 {
     if (may_check_kept(l)) check_kept(l);
     else                   search_all(l);
+    search_bodies(l);
+    l->c->cuts = int_min(l->c->cuts, l->c->particles);
+}
+
+static bool is_proved(const certificate *c)
+{
+    return c->clashes + c->cuts == 0;
 }
 
 static void search_after(const frame_search *l, void put(const frame_search *l))
@@ -975,15 +1167,29 @@ static void part_clashes(const frame_search *l)
 {
     enum { ATTEMPTS = 4 };
     const certificate *c = l->c;
-    for (int i = 0; i < ATTEMPTS * c->clashes; i++)
-        part_clash(l, &c->clash[i % c->clashes]);
+    for (int i = 0; i < ATTEMPTS; i++) {
+        for (int k = 0; k < c->clashes; k++) part_clash(l, &c->clash[k]);
+        for (int k = 0; k < c->cuts; k++) part_cut(l, &c->cut[k]);
+    }
+}
+
+// All of it, with a body that would cut some.
+static void go_along(const frame_search *l)
+{
+    certificate *c = l->c;
+    for (int n = 0; n < l->f->softs; n++) {
+        const body *x = &l->f->body[l->f->soft[n]];
+        for (int v = x->first; v < x->first + body_particles(x); v++)
+            if (!is_fixed(l, v))
+                c->at[1][v] = c->carrier < 0 ? c->at[0][v]
+                    : carried(c, &l->f->body[c->carrier], c->at[0][v]);
+    }
 }
 
 static void stand_still(const frame_search *l)
 {
-    certificate *c = l->c;
-    for (int v = 0; v < c->particles; v++)
-        if (!is_fixed(l, v)) c->at[1][v] = c->at[0][v];
+    l->c->carrier = -1;
+    go_along(l);
 }
 
 // Before all of it stands still for a piece.
@@ -992,16 +1198,19 @@ enum { PARTINGS = 4, PROOF_ROUNDS = 16 };
 static void certify(const frame_search *l)
 {
     certificate *c = l->c;
+    forget_patches(c);
+    c->carrier = -1;
     measure_paths(l, c->at[0]);
     search_at_ends(l);
     // Those beside what crossed are known now.
     if (c->left_out > 0) search_at_ends(l);
-    c->prevented = c->clashes;
-    for (int k = 0; k < PARTINGS && c->clashes > 0; k++)
+    c->prevented = c->clashes + c->cuts;
+    for (int k = 0; k < PARTINGS && !is_proved(c); k++)
         search_after(l, part_clashes);
-    if (c->clashes > 0) forget_patches(c);
-    for (int k = 0; k < PROOF_ROUNDS && c->clashes > 0; k++)
+    if (!is_proved(c)) forget_patches(c);
+    for (int k = 0; k < PROOF_ROUNDS && !is_proved(c); k++)
         search_after(l, move_patches);
+    if (c->clashes > 0 && c->carrier >= 0) search_after(l, go_along);
     if (c->clashes > 0) stand_still(l);
 }
 //<
@@ -1025,30 +1234,34 @@ static void take_back_vertex(const frame_search *l, int v)
 }
 
 // A vertex that is lost stands still for all others.
-static void copy_positions(certificate *c, const soft_frame *f, int end)
+static void copy_positions(certificate *c, const soft_frame *f,
+                           const near_lists *near, int end)
 {
     real most = 0;
     c->vertices = 0;
     for (int n = 0; n < f->softs; n++) {
         const body *x = &f->body[f->soft[n]];
-        if (!is_certified(f, f->soft[n])) continue;
-        c->vertices += body_particles(x);
+        bool is_rope = !is_certified(f, f->soft[n]);
+        c->vertices += is_rope ? 0 : body_particles(x);
         for (int v = x->first; v < x->first + body_particles(x); v++) {
             vec3 at = f->particle[v].position, was = c->at[0][v];
             if (end > 0 && !vec3_is_finite(at)) at = was;
-            if (end == 0 && !(at.x == was.x && at.y == was.y && at.z == was.z))
-                c->keeps = 0;
+            bool is_there = at.x == was.x && at.y == was.y && at.z == was.z;
+            if (end == 0 && !is_rope && !is_there) c->keeps = 0;
             most = real_max(real_max(fabs(at.x), fabs(at.y)),
                             real_max(fabs(at.z), most));
             c->at[end][v] = at;
         }
     }
+    for (int k = 0; near && k < near->candidates; k++)
+        if (!body_is_soft(&f->body[near->candidate[k]]))
+            put_frame(c, f, near->candidate[k], end);
     c->rounding = real_max(end == 0 ? 0 : c->rounding, 0x1p-40 * most);
 }
 
-void certificate_begin(certificate *c, const soft_frame *f)
+void certificate_begin(certificate *c, const soft_frame *f, const near_lists *near)
 {
-    copy_positions(c, f, 0);
+    copy_positions(c, f, near, 0);
     c->since = 0;
 }
 
@@ -1079,22 +1292,21 @@ static void begin_next(certificate *c)
     c->since = 0;
 }
 
-void certificate_end(certificate *c, const soft_frame *f)
+void certificate_end(certificate *c, const soft_frame *f, const near_lists *near,
+                     rigid_view *view)
 {
-    frame_search l = { .c = c, .f = f };
+    frame_search l = { .c = c, .f = f, .near = near, .view = view };
     bool is_still = true;
     for (int n = 0; n < f->softs; n++)
-        is_still = is_still && !(is_certified(f, f->soft[n])
-                                 && soft_moves(f, f->soft[n]));
+        is_still = is_still && !soft_moves(f, f->soft[n]);
     c->prevented = c->left_out = 0;
     if (is_still || !(c->since > 0)) return;
-    copy_positions(c, f, 1);
+    copy_positions(c, f, near, 1);
     for (int v = 0; v < c->particles; v++) c->of[v].crossed = false;
     certify(&l);
     if (c->clashes > 0) c->keeps = c->clashes = 0;
     for (int n = 0; n < f->softs && c->prevented > 0; n++) {
         const body *x = &f->body[f->soft[n]];
-        if (!is_certified(f, f->soft[n])) continue;
         for (int v = x->first; v < x->first + body_particles(x); v++)
             take_back_vertex(&l, v);
     }
@@ -1111,6 +1323,7 @@ status certificate_grow(certificate *c, int kept, int particles)
     TABLE_GROW(ok, c->of, kept, particles);
     TABLE_GROW(ok, c->box, 2 * kept, 2 * particles);
     TABLE_GROW(ok, c->clash, kept, particles);
+    TABLE_GROW(ok, c->cut, kept, particles);
     TABLE_GROW(ok, c->seen, kept, particles);
     TABLE_GROW(ok, c->beside, kept, particles);
     int room = int_max(WITNESSES * particles, c->room);
@@ -1127,6 +1340,7 @@ void certificate_free(certificate *c)
     free(c->of);
     free(c->box);
     free(c->clash);
+    free(c->cut);
     free(c->kept);
     free(c->seen);
     free(c->beside);

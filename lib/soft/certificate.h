@@ -2,8 +2,8 @@
 //>   Balls keep layers apart as long as they are not pressed too hard. This
 //>   module has the last word: a frame in which cloth would cross cloth does not
 //>   end so.
-// certificate.h - cloth never crosses cloth: a proof for every frame, and what
-// is done where there is none.
+// certificate.h - cloth never crosses cloth, nor a rigid body: a proof for every
+// frame, and what is done where there is none.
 //
 // Paper: not asked.  Book: chapter 16.
 // Two convex sets that a plane parts at the start and at the end of a frame,
@@ -76,12 +76,22 @@ typedef struct {
     real gap;           // m, by so much
 } facet_clash;
 
+// A facet that no plane parts from a rigid body, at both ends, and was parted from
+// it by one when the way began: that body is under `top`, m, along it.
+typedef struct {
+    certified_set set;
+    int  body;
+    vec3 normal;        // unit
+    real top, gap;      // m
+} facet_cut;
+
 typedef struct {
     int  right, bottom; // up to here the patch reaches that has its cell, see
                         // mark_windows; 0: there is none
     bool crossed;       // it is of a pair that crossed at first
     int  patch;         // a vertex of what goes as one with it, or itself; that
-    bool is_whole;      // knows if there are others,
+    int  rides;         // knows the rigid body that it goes with, -1: none,
+    bool is_whole;      // if there are others,
     real mass;          // kg, what all weigh,
     vec3 way;           // kg m, and the sum of their ways
 } certified_vertex;
@@ -93,9 +103,12 @@ typedef struct {
     certified_vertex *of;       // [particles]
     swept_box *box;             // [2 particles] of parts, see halve
     facet_clash *clash;         // [particles]
+    facet_cut *cut;             // [particles]
     int particles;              // for so many there is room
     int vertices;               // of all cloths
     int clashes;                // in this look, that found room or not
+    int cuts;                   // in this look, that found room
+    int carrier;                // a body with which some went, in this way; -1
     real rounding;              // m, no gap is wrong by as much
     real since;                 // s, since all was where it is at first
     real apart, bent;           // m, no two of them went further from each
@@ -121,19 +134,21 @@ typedef struct {
 status certificate_grow(certificate *c, int kept, int particles);
 void   certificate_free(certificate *c);        // a zeroed one is fine
 
-// A way begins: all cloth is where it is.
-void certificate_begin(certificate *c, const soft_frame *f);
+// A way begins: all cloth, and what it may meet, is where it is.
+void certificate_begin(certificate *c, const soft_frame *f, const near_lists *near);
 
 // A substep is over.  Has one vertex gone a spacing further than another?  Then
 // the ends of the way say little of what is between, and it must end here.
 bool certificate_is_due(certificate *c, const soft_frame *f);
 
 // The way ends, and another begins: if no triangle of cloth crossed another of
-// that cloth, or of one that it meets, none does now.  Where the end cannot be
-// proved to be so, particles are parted, or go as one; what is free keeps its
-// momentum.  Pairs that crossed when the way began are left out, and those
-// beside them.
-void certificate_end(certificate *c, const soft_frame *f);
+// that cloth, or of one that it meets, none does now; and if none, and no link of a
+// rope, met a rigid body.  Where the end cannot be proved to be so, particles are
+// parted, or go as one, or with a body; what is free keeps its momentum.  Pairs that
+// crossed when the way began are left out, and those beside them; so is what is in
+// the way of two bodies.  near, view: what rigid bodies may be met; NULL: none.
+void certificate_end(certificate *c, const soft_frame *f, const near_lists *near,
+                     rigid_view *view);
 
 // A particle has been moved at the end of a way: that is a part of all of it.
 void certificate_carry(const certificate *c, const soft_frame *f, particle *p,

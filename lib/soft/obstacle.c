@@ -199,3 +199,22 @@ bool obstacle_nearest(const obstacle *b, vec3 x, int ahead, real reach,
     return true;
 }
 //<
+
+//> obstacle-apart
+//>   Two convex bodies are apart if there is a plane between them. That of a face
+//>   mostly is one; if none is, GJK knows.
+bool obstacle_is_apart(const obstacle *b, const vec3 *at, int count, int *ahead)
+{
+    for (int k = -1; k < count && b->planes > 0; k++) {
+        if (k >= 0) *ahead = hull_ahead(at[k], b->plane, b->planes);
+        plane p = b->plane[*ahead < b->planes ? *ahead : 0];
+        real least = HUGE_VAL;
+        for (int i = 0; i < count; i++)
+            least = real_min(least, plane_height(p, at[i]));
+        if (least > 0) return true;
+    }
+    gjk_result g = gjk_distance((hull){ at, count }, b->vertices, b->round, NULL);
+    return g.status == GJK_BEYOND || g.status == GJK_NOT_FINITE
+        || g.distance > b->round;
+}
+//<

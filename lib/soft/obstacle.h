@@ -61,5 +61,10 @@ int hull_ahead(vec3 x, const plane *planes, int count);
 bool obstacle_nearest(const obstacle *b, vec3 x, int ahead, real reach,
                       surface_point *out);
 
+// Is there a plane between the body and the convex hull of these points?  *ahead:
+// the number of a plane of the body that is asked first; it receives another.
+// What is not finite meets nothing.
+bool obstacle_is_apart(const obstacle *b, const vec3 *at, int count, int *ahead);
+
 #endif
 //<

@@ -336,16 +336,15 @@ void soft_certify(soft_solver *s, const soft_frame *f)
 {
     certificate *c = &s->proof;
     real since = c->since;
-    certificate_end(c, f);
+    certificate_end(c, f, &s->near, &s->view);
     int prevented = c->prevented;
     for (int k = 0; k < TURNS_OF_PROOF && c->prevented > 0; k++) {
         c->since = since;
         for (int n = 0; n < f->softs; n++) {
             const body *b = &f->body[f->soft[n]];
-            if (b->shape->rows > 1 && soft_moves(f, f->soft[n]))
-                draw_parted(s, f, b);
+            if (soft_moves(f, f->soft[n])) draw_parted(s, f, b);
         }
-        certificate_end(c, f);
+        certificate_end(c, f, &s->near, &s->view);
     }
     c->prevented = prevented;
 }
@@ -368,7 +367,23 @@ static bool is_stretched(const shape *s, const particle *p)
     return false;
 }
 
-int soft_stretched(const soft_frame *f)
+static bool is_cut(soft_solver *s, const soft_frame *f, int a)
+{
+    const near_lists *l = &s->near;
+    aabb around = aabb_empty();
+    bool is = false;
+    for (int i = 0; i < body_particles(&f->body[a]); i++)
+        around = aabb_with(around,
+                           f->particle[f->body[a].first + i].position);
+    for (int k = 0; k < l->candidates && !is; k++) {
+        int b = l->candidate[k];
+        is = !body_is_soft(&f->body[b]) && soft_meets(f, a, b)
+          && touch_is_cut(&s->view, f, a, b, around);
+    }
+    return is;
+}
+
+int soft_unconverged(soft_solver *s, const soft_frame *f)
 {
     int count = 0;
     for (int n = 0; n < f->softs; n++) {
@@ -377,7 +392,8 @@ int soft_stretched(const soft_frame *f)
         if (!soft_moves(f, f->soft[n])) continue;
         count += *sunk == SUNK
               || (!(x->compliance > 0)
-                  && is_stretched(x->shape, f->particle + x->first));
+                  && is_stretched(x->shape, f->particle + x->first))
+              || is_cut(s, f, f->soft[n]);
         if (*sunk > SUNK_PERHAPS) *sunk = *sunk == SUNK ? SUNK_BEFORE : SUNK_NOT;
     }
     return count;
@@ -446,7 +462,7 @@ void soft_begin(soft_solver *s, const soft_frame *f)
         s->held[b] |= is_soft && is_pinned(f, &f->body[b]);
     }
     near_begin(&s->near, f, s->ahead);
-    if (f->certified) certificate_begin(&s->proof, f);
+    if (f->certified) certificate_begin(&s->proof, f, &s->near);
 }
 
 static bool balls_near(sphere a, sphere b, real margin)

@@ -100,8 +100,8 @@ real soft_energy(const body *b, const particle *all);
 void soft_certify(soft_solver *s, const soft_frame *f);
 
 // How many deformable bodies that must not give have strands off by more than
-// a hundredth, or are deep in what they began in.
-int soft_stretched(const soft_frame *f);
+// a hundredth, are deep in what they began in, or are cut by a rigid body.
+int soft_unconverged(soft_solver *s, const soft_frame *f);
 
 #endif
 //<

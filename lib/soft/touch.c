@@ -511,38 +511,62 @@ void hold_facets(const near_lists *l, rigid_view *v, const soft_frame *f)
 
 //> touch-clear
 //>   Joints ask the same two queries whether a cloth is clear of a body
-//>   (chapter 17, *Pins*).
-static bool facet_is_clear(const rigid_view *v, const soft_frame *f, int a,
-                           int k, real apart)
+//>   (chapter 17, *Pins*), and the report asks whether it is cut by one.
+static int soft_facets(const body *soft)
+{
+    const shape *s = soft->shape;
+    return s->mesh.faces > 0 ? s->mesh.faces : s->sticks;
+}
+
+static void facet_ends(const soft_frame *f, const body *soft, int k,
+                       vec3 end[FACET])
 {
     int number[FACET];
-    vec3 end[FACET];
-    plane between = { { 0, 0, 0 }, 0 };
-    facet_touch t;
-    facet_corners(&f->body[a], k, number);
+    facet_corners(soft, k, number);
     for (int i = 0; i < FACET; i++) end[i] = f->particle[number[i]].position;
-    return !facet_nearest(&v->hull, end, &between, apart, &t);
 }
 
 bool touch_is_clear(rigid_view *v, const soft_frame *f, int a, int b)
 {
     const body *soft = &f->body[a], *rigid = &f->body[b];
-    const shape *s = soft->shape;
-    int facets = s->mesh.faces > 0 ? s->mesh.faces : s->sticks;
     real apart = soft_gap(soft, rigid);
     surface_point at;
     rigid_view_update(v, f, b);
-    for (int i = soft->first; i < soft->first + s->particles; i++)
+    for (int i = soft->first; i < soft->first + body_particles(soft); i++)
         if (obstacle_nearest(&v->hull, f->particle[i].position, 0, apart, &at))
             return false;
-    for (int k = 0; k < facets; k++)
-        if (!facet_is_clear(v, f, a, k, facet_gap(soft, rigid))) return false;
+    for (int k = 0; k < soft_facets(soft); k++) {
+        vec3 end[FACET];
+        plane between = { { 0, 0, 0 }, 0 };
+        facet_touch t;
+        facet_ends(f, soft, k, end);
+        if (facet_nearest(&v->hull, end, &between, facet_gap(soft, rigid), &t))
+            return false;
+    }
     return true;
+}
+
+// Most bodies are nowhere near, and most facets in front of the same plane.
+bool touch_is_cut(rigid_view *v, const soft_frame *f, int a, int b, aabb around)
+{
+    const body *soft = &f->body[a];
+    sphere ball = { soft_rigid_frame(f, b).center, f->now[b].radius };
+    if (aabb_distance_squared(&around, ball.center) > ball.radius * ball.radius)
+        return false;
+    rigid_view_update(v, f, b);
+    int ahead = 0;
+    for (int k = 0; k < soft_facets(soft); k++) {
+        vec3 end[FACET];
+        facet_ends(f, soft, k, end);
+        if (!obstacle_is_apart(&v->hull, end, FACET, &ahead)) return true;
+    }
+    return false;
 }
 //<
 
 //> touch-particles
-//>   Planes and pairs of particles need only a loop.
+//>   Planes and pairs of particles need only a loop. A rope that is nailed is as
+//>   fixed as a plane, and holds what lies on its links as one does.
 static bool touch_plane(const soft_frame *f, int i, plane wall, real apart,
                         material m)
 {
@@ -569,16 +593,48 @@ int touch_planes(const soft_frame *f)
     return touching;
 }
 
+// The point of a nailed rope's links at particle `nailed` that is nearest to x.
+static vec3 nailed_point(const soft_frame *f, int nailed, vec3 x)
+{
+    const body *b = &f->body[f->owner[nailed]];
+    vec3 at = f->particle[nailed].position, nearest = at;
+    for (int next = nailed - 1; next <= nailed + 1; next += 2) {
+        bool is_link = b->shape->rows == 1 && next >= b->first
+                    && next < b->first + body_particles(b);
+        if (!is_link || f->particle[next].inverse_mass != 0) continue;
+        vec3 link = vec3_sub(f->particle[next].position, at);
+        real part = vec3_dot(vec3_sub(x, at), link) / vec3_length_squared(link);
+        if (part > 0) nearest = vec3_add_scaled(at, real_min(part, 1), link);
+    }
+    return nearest;
+}
+
+// A particle that is nailed is a thing that does not move, and holds as one.
+static bool touch_nailed(const soft_frame *f, int i, int nailed, real apart,
+                         material m)
+{
+    vec3 x = f->particle[i].position, at = nailed_point(f, nailed, x);
+    vec3 normal = vec3_unit(vec3_sub(x, at));
+    return touch_fixed(f, i, (surface_point){ at, normal }, apart, m);
+}
+
 int touch_pairs(const near_lists *l, const soft_frame *f, real *deepest)
 {
     int touching = 0;
     for (int k = 0; k < l->pairs; k++) {
         particle_contact c = l->pair[k];
-        if (!particle_contact_overlaps(&c, f->particle)) continue;
         int a = f->owner[c.a], b = f->owner[c.b];
-        real mu = soft_material(f, a, b).friction;
+        material m = soft_material(f, a, b);
         if (a != b) c.distance *= real_min(l->gap[a], l->gap[b]);
-        real depth = particle_contact_separate(c, f->particle, mu);
+        bool a_is_nailed = f->particle[c.a].inverse_mass == 0;
+        bool b_is_nailed = f->particle[c.b].inverse_mass == 0;
+        if (a != b && a_is_nailed != b_is_nailed) {
+            touching += touch_nailed(f, a_is_nailed ? c.b : c.a,
+                                     a_is_nailed ? c.a : c.b, c.distance, m);
+            continue;
+        }
+        if (!particle_contact_overlaps(&c, f->particle)) continue;
+        real depth = particle_contact_separate(c, f->particle, m.friction);
         touching += depth > 0;
         if (depth > *deepest * c.distance) *deepest = depth / c.distance;
     }

@@ -205,6 +205,7 @@ static void certificate_store(certificate *c, store *s)
     STORE_ROOM(s, c->seen, c->particles);
     STORE_ROOM(s, c->box, 2 * c->particles);
     STORE_ROOM(s, c->clash, c->particles);
+    STORE_ROOM(s, c->cut, c->particles);
     STORE_ROOM(s, c->beside, c->particles);
 }
 

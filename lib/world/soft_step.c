@@ -114,7 +114,7 @@ void soft_prove(world *w)
 
 void soft_report(world *w)
 {
-    const soft_solver *s = &w->soft;
+    soft_solver *s = &w->soft;
     step_report *r = &w->report;
     soft_frame f = soft_frame_of(w, w->age);
     r->near = s->near.pairs + s->near.points;
@@ -124,6 +124,6 @@ void soft_report(world *w)
     r->tested += s->tested;
     r->relaxed += s->relaxed;
     r->fell_back += s->fell_back;
-    r->unconverged += soft_stretched(&f);
+    r->unconverged += soft_unconverged(s, &f);
 }
 //<

@@ -1,6 +1,7 @@
 // check_given.c - tests of lib/tumble.h: does everything that a world, a body or a
 // joint is given have its effect?
 
+#include "crossings.h"
 #include "scarce.h"
 #include "suite.h"
 #include "tumble.h"
@@ -222,6 +223,99 @@ START_TEST(work_is_run_by_the_program_if_it_wants)
 END_TEST
 
 // --- What a step reports -----------------------------------------------------
+
+// How many edges of the body pass through a triangle of the sheet?
+static int edges_through(const tumble_world *w, tumble_body b, tumble_body sheet)
+{
+    enum { MOST = 400 };
+    static solid hard;
+    tumble_vec3 at[MOST];
+    vec3 place[MOST];
+    int faces, count = 0, n = tumble_body_vertices(w, b, at, MOST);
+    const int *face = tumble_body_triangles(w, b, &faces);
+    for (int i = 0; i < n; i++) place[i] = vec3_make(at[i].x, at[i].y, at[i].z);
+    solid_make(&hard, place, n, face, faces);
+    n = tumble_body_vertices(w, sheet, at, MOST);
+    face = tumble_body_triangles(w, sheet, &faces);
+    for (int i = 0; i < n; i++) place[i] = vec3_make(at[i].x, at[i].y, at[i].z);
+    for (int i = 0; i < faces; i++) {
+        patch p = patch_make(place, &face[3 * i], 0);
+        count += solid_edges_through(&hard, &p);
+    }
+    return count;
+}
+
+// Of all sizes: no thread is stretched, and the body is through it.  (It was said of
+// threads alone.)
+START_TEST(a_report_says_that_a_body_is_through_cloth)
+{
+    for (double size = 0.01; size < 20; size *= 10) {
+        tumble_world *w = weightless();
+        tumble_body sheet = tumble_body_add(
+            w, tumble_shape_cloth(w, 9, 9, size, size, 0.1 * size * size),
+            tumble_body_at(0, 0, 0));
+        for (int i = 0; i < 81; i++) tumble_body_pin(w, sheet, i);
+        tumble_body_options o = tumble_body_at(0, size, 0.03 * size);
+        o.kind = TUMBLE_KINEMATIC;
+        o.pose.rotation = tumble_quat_turn(tumble_v(1, 0, 0.3), 0.5);
+        tumble_body b = tumble_body_add(
+            w, tumble_shape_box(w, tumble_v(0.3 * size, size, 0.3 * size), 1), o);
+        tumble_world_step(w);
+        ck_assert_int_eq(tumble_world_last_step(w).unconverged, 0);
+        o.pose.position.y = 0.4 * size;
+        tumble_body_set_pose(w, b, o.pose);
+        tumble_world_step(w);
+        ck_assert_int_eq(tumble_world_last_step(w).unconverged, 1);
+        tumble_world_free(w);
+    }
+}
+END_TEST
+
+// A sheet held by its corners, and a box thrust in its middle, an edge or a corner
+// first.  Returns how many frames end with an edge of the box through a triangle.
+static int frames_cut(double size, double dt, int side, int turn, double mass)
+{
+    tumble_options o = tumble_options_default();
+    o.dt = dt;
+    o.gravity = tumble_v(0, 0, 0);
+    tumble_world *w = of(&o);
+    tumble_body sheet = tumble_body_add(
+        w, tumble_shape_cloth(w, side, side, size, size, 0.2 * size * size),
+        tumble_body_at(0, 0, 0));
+    const int corner[] = { 0, side - 1, side * (side - 1), side * side - 1 };
+    for (int k = 0; k < 4; k++) tumble_body_pin(w, sheet, corner[k]);
+    tumble_body_options at = tumble_body_at(0.02 * size, 0.25 * size, 0.01 * size);
+    at.kind = mass > 0 ? TUMBLE_DYNAMIC : TUMBLE_KINEMATIC;
+    at.velocity = tumble_v(0, -size, 0);
+    at.spin = tumble_v(0, turn, 0);
+    at.pose.rotation = tumble_quat_turn(tumble_v(1, 0.3, 0.8), 0.8);
+    tumble_vec3 sides = { 0.3 * size, (turn ? 0.02 : 0.2) * size, 0.2 * size };
+    tumble_body box = tumble_body_add(
+        w, tumble_shape_box(w, sides, mass > 0 ? mass * size * size : 1), at);
+    int frames = 0;
+    for (int k = 0; k < (int)(0.5 / dt); k++) {
+        tumble_world_step(w);
+        frames += edges_through(w, box, sheet) > 0;
+    }
+    tumble_world_free(w);
+    return frames;
+}
+
+// Of all sizes and steps, light or heavy, or driven.  Rejects: cloth that is parted
+// from a body before its threads pull it back, and never after them.
+START_TEST(a_body_never_ends_a_frame_through_cloth)
+{
+    static const double steps[] = { 1.0 / 30, 1.0 / 60, 1.0 / 120 };
+    static const double masses[] = { 0, 10, 0.2 };
+    int frames = 0;
+    for (int k = 0; k < 9; k++) {
+        int got = frames_cut(k % 2 ? 0.05 : 3, steps[k / 3], 10, k % 4 * 6,
+                             masses[k % 3]);
+        frames += got;
+    }
+    ck_assert_int_eq(frames, 0);
+}
+END_TEST
 
 START_TEST(a_report_counts_what_there_is)
 {
@@ -700,6 +794,8 @@ int main(void)
         substeps_are_as_many_as_options_let_them_be,
         a_hard_step_takes_no_more_substeps_than_it_may,
         work_is_run_by_the_program_if_it_wants,
+        a_report_says_that_a_body_is_through_cloth,
+        a_body_never_ends_a_frame_through_cloth,
         a_report_counts_what_there_is,
         measures_are_those_of_the_textbook,
         a_body_takes_its_options_at_once_or_later,

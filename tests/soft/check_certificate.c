@@ -42,7 +42,7 @@ static void set_up(void)
 // A way begins that takes a frame.
 static void begin(void)
 {
-    certificate_begin(&proof, &frame);
+    certificate_begin(&proof, &frame, NULL);
     proof.since = FRAME;
 }
 
@@ -116,7 +116,7 @@ START_TEST(whoever_starts_uncrossed_never_crosses)
         begin();
         demand(&seed);
         without += crossing_now();
-        certificate_end(&proof, &frame);
+        certificate_end(&proof, &frame, NULL, NULL);
         ck_assert_int_eq(crossing_now(), 0);
         ck_assert_int_eq(proof.left_out, 0);
     }
@@ -253,7 +253,7 @@ START_TEST(its_witnesses_are_replayed_by_dot_products)
         for (int v = 0; v < ALL; v++) start[v] = at[v].position;
         begin();
         demand(&seed);
-        certificate_end(&proof, &frame);
+        certificate_end(&proof, &frame, NULL, NULL);
         listen();
         for (int v = 0; v < ALL; v++) end[v] = at[v].position;
         for (int k = 0; k < count; k++) {
@@ -292,7 +292,7 @@ START_TEST(no_patch_of_sheared_cloth_is_taken_for_spread_out)
         }
         begin();
         move(0, vec3_make(0, 1e-5, 0));
-        certificate_end(&proof, &frame);
+        certificate_end(&proof, &frame, NULL, NULL);
         listen();
         for (int v = 0; v < ALL; v++) end[v] = at[v].position;
         for (int k = 0; k < count; k++)
@@ -314,7 +314,7 @@ START_TEST(what_does_not_cross_keeps_its_bits)
         move(v, vec3_make(x.z * x.z, 3 + x.x * x.x, 0.1 * x.y));
     }
     memcpy(before, at, sizeof at);
-    certificate_end(&proof, &frame);
+    certificate_end(&proof, &frame, NULL, NULL);
     ck_assert_int_eq(proof.prevented, 0);
     ck_assert(memcmp(before, at, sizeof at) == 0);
 }
@@ -339,7 +339,7 @@ static long turns_around(int pieces)
             move(v, vec3_sub(to, at[v].position));
         }
         if (certificate_is_due(&proof, &frame) || k == pieces) {
-            certificate_end(&proof, &frame);
+            certificate_end(&proof, &frame, NULL, NULL);
             prevented += proof.prevented;
         }
     }
@@ -358,7 +358,7 @@ START_TEST(what_falls_as_one_is_proved_once_a_frame)
 {
     unsigned long long seed = 9;
     lay(&seed, SPACING);
-    certificate_begin(&proof, &frame);
+    certificate_begin(&proof, &frame, NULL);
     for (int k = 0; k < 4; k++) {
         for (int v = 0; v < ALL; v++) move(v, vec3_make(0, -10 * SPACING, 0));
         ck_assert(!certificate_is_due(&proof, &frame));
@@ -388,7 +388,7 @@ START_TEST(what_is_stopped_loses_its_speed_and_what_is_nailed_stays)
     begin();
     for (int v = 0; v < ALL; v++) start[v] = at[v].position;
     for (int v = EACH; v < ALL; v++) move(v, vec3_make(0, -5 * gap, 0));
-    certificate_end(&proof, &frame);
+    certificate_end(&proof, &frame, NULL, NULL);
     ck_assert_int_gt(proof.prevented, 0);
     ck_assert_int_eq(crossing_now(), 0);
     for (int v = 0; v < ALL; v++) {
@@ -429,7 +429,7 @@ START_TEST(what_is_free_keeps_its_momentum_and_loses_its_approach)
     for (int v = 0; v < ALL; v++)
         move(v, vec3_make(0, v < EACH ? SPACING : -SPACING, 0));
     sums(&way, &place);
-    certificate_end(&proof, &frame);
+    certificate_end(&proof, &frame, NULL, NULL);
     sums(&way_then, &place_then);
     ck_assert_int_gt(proof.prevented, 0);
     ck_assert(vec3_distance(way, way_then) < 1e-13);
@@ -457,7 +457,7 @@ static void ask_too_much(unsigned long long seed)
                          vec3_scale(3 * SPACING, any(&seed))));
     }
     sums(&way, &place);
-    certificate_end(&proof, &frame);
+    certificate_end(&proof, &frame, NULL, NULL);
     sums(&way_then, &place_then);
     ck_assert_int_gt(proof.prevented, ALL);
     ck_assert_int_eq(crossing_now(), 0);
@@ -487,7 +487,7 @@ START_TEST(what_crosses_already_is_left_out_and_goes_its_way)
     for (int f = 0; f < 60; f++) {
         begin();
         for (int v = EACH; v < ALL; v++) move(v, vec3_make(0, 0.1 * SPACING, 0));
-        certificate_end(&proof, &frame);
+        certificate_end(&proof, &frame, NULL, NULL);
         if (f == 0) ck_assert_int_gt(proof.left_out, 0);
     }
     ck_assert_int_eq(crossing_now(), 0);
@@ -504,7 +504,7 @@ START_TEST(lost_numbers_end_and_harm_no_other_sheet)
     begin();
     for (int v = 0; v < EACH; v++) move(v, vec3_make(0, -1, 0));
     at[EACH].position.x = NAN;
-    certificate_end(&proof, &frame);
+    certificate_end(&proof, &frame, NULL, NULL);
     for (int v = 0; v < EACH; v++)
         ck_assert(vec3_is_finite(at[v].position));
 }
@@ -516,7 +516,7 @@ START_TEST(what_was_proved_is_asked_again_if_nothing_else_moved_it)
     lay(&seed, SPACING);
     begin();
     move(0, vec3_make(0, 1e-5, 0));
-    certificate_end(&proof, &frame);
+    certificate_end(&proof, &frame, NULL, NULL);
     int made = proof.made;
     ck_assert_int_gt(made, 0);
     ck_assert_int_eq(proof.keeps, made);
@@ -525,7 +525,7 @@ START_TEST(what_was_proved_is_asked_again_if_nothing_else_moved_it)
     for (int k = 0; k < 10; k++) {
         begin();
         move(k, vec3_make(0, 1e-5, 0));
-        certificate_end(&proof, &frame);
+        certificate_end(&proof, &frame, NULL, NULL);
         ck_assert_int_eq(proof.prevented, 0);
         ck_assert_int_eq(proof.keeps, made);
         ck_assert(proof.kept[0].slack < slack);
@@ -549,7 +549,7 @@ START_TEST(what_shivers_a_little_never_crosses)
             begin();
             for (int v = 0; v < ALL; v++)
                 move(v, vec3_scale(0.3 * SPACING, any(&state)));
-            certificate_end(&proof, &frame);
+            certificate_end(&proof, &frame, NULL, NULL);
             prevented += proof.prevented;
             ck_assert_int_eq(crossing_now(), 0);
         }
@@ -571,7 +571,7 @@ START_TEST(what_is_hopeless_hides_no_other_crossing)
         begin();
         for (int v = 0; v < ALL && f > 0; v++)
             move(v, v < EACH ? vec3_scale(4 * SPACING, any(&seed)) : down);
-        certificate_end(&proof, &frame);
+        certificate_end(&proof, &frame, NULL, NULL);
     }
     ck_assert_int_gt(proof.prevented, ALL);
     ck_assert_int_eq(crossing_now(), 0);
@@ -587,7 +587,7 @@ START_TEST(what_sleeps_is_not_looked_at)
     lay(&seed, SPACING);
     asleep[0] = asleep[1] = true;
     begin();
-    certificate_end(&proof, &frame);
+    certificate_end(&proof, &frame, NULL, NULL);
     asleep[0] = asleep[1] = false;
     ck_assert_int_eq(proof.keeps, 0);
 }
@@ -604,7 +604,7 @@ START_TEST(what_nothing_is_asked_of_has_no_window)
     sheet[1].group = sheet[1].mask = 2;
     begin();
     move(0, vec3_make(0, 1e-5, 0));
-    certificate_end(&proof, &frame);
+    certificate_end(&proof, &frame, NULL, NULL);
     asleep[1] = false;
     ck_assert_int_gt(proof.keeps, 1);
     for (int k = 0; k < proof.keeps; k++)
@@ -620,10 +620,10 @@ START_TEST(a_way_of_no_time_is_not_proved)
     lay(&seed, SPACING);
     begin();
     move(0, vec3_make(0, 1e-5, 0));
-    certificate_end(&proof, &frame);
+    certificate_end(&proof, &frame, NULL, NULL);
     real slack = proof.kept[0].slack;
     move(0, vec3_make(0, 1e-5, 0));
-    certificate_end(&proof, &frame);
+    certificate_end(&proof, &frame, NULL, NULL);
     ck_assert(proof.kept[0].slack == slack);
 }
 END_TEST
@@ -636,7 +636,7 @@ START_TEST(what_is_worn_to_pieces_is_all_found_again)
     for (int f = 0; f < 2; f++) {
         begin();
         move(0, vec3_make(0, 1e-5, 0));
-        certificate_end(&proof, &frame);
+        certificate_end(&proof, &frame, NULL, NULL);
         if (f == 0) proof.made = proof.keeps / 3;
     }
     ck_assert_int_eq(proof.made, proof.keeps);
@@ -653,7 +653,7 @@ START_TEST(a_patch_loses_room_by_its_own_ways_only)
     for (int f = 0; f < 2; f++) {
         begin();
         move(0, vec3_make(0, f * 1e-4, 0));
-        certificate_end(&proof, &frame);
+        certificate_end(&proof, &frame, NULL, NULL);
         for (int k = 0; k < proof.keeps; k++) {
             const witness *w = &proof.kept[k];
             int b = w->set[0].part.cells.body;

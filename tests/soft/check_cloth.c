@@ -443,7 +443,7 @@ END_TEST
 // Rejects: a load that counts what the strands have drawn into the drum twice, as
 // their pull and as an overlap, and holds 1.3 times as much; friction that lets a
 // rope creep.
-static real hangs_over_drum(real mu, real more)
+static real hangs_over_drum(real mu, real more, bool is_rope)
 {
     const real pi = 3.14159265358979323846, e = exp(mu * pi);
     world_options o = world_options_default();
@@ -451,14 +451,23 @@ static real hangs_over_drum(real mu, real more)
     o.sleep_speed = 0;
     begin(o);
     shape drum, plan;
-    ck_assert(shape_capsule(&drum, 1, 0.2, 1).ok);
+    ck_assert(is_rope ? shape_rope(&drum, 20, 1, 1).ok
+                      : shape_capsule(&drum, 1, 0.2, 1).ok);
     ck_assert(shape_rope(&plan, 60, 3, 1).ok);
     placement where = placement_at(ZERO);
     where.y = vec3_make(0, 0, 1);
     where.z = vec3_make(0, -1, 0);
-    where.is_static = true;
+    if (is_rope) {
+        where.x = vec3_make(0, 0, 1);
+        where.y = vec3_make(0, 1, 0);
+        where.z = vec3_make(-1, 0, 0);
+    }
+    where.is_static = !is_rope;
     int d = add(&drum, where), r = add_at(&plan, 0, 2, 0);
-    real big = 0.2 + 1.001 * soft_gap(&w.body[r], &w.body[d]), link = plan.spacing;
+    for (int i = 0; is_rope && i <= 20; i++) world_pin(&w, d, i);
+    real link = plan.spacing;
+    real big = is_rope ? 2.002 * w.body[r].thickness
+                       : 0.2 + 1.001 * soft_gap(&w.body[r], &w.body[d]);
     real both = 61 * link - pi * big;
     real a = (both - 2 * mu * big * (1 + e) / (1 + mu * mu)) / (1 + e) - link / 2;
     for (int i = 0; i < 61; i++) {
@@ -481,14 +490,28 @@ START_TEST(rope_over_a_drum_holds_what_friction_holds_and_no_more)
 {
     static const real friction[] = { 0.1, 0.3, 0.5 };
     for (int k = 0; k < 3; k++) {
-        real stays = hangs_over_drum(friction[k], 1.05);
-        real goes = hangs_over_drum(friction[k], 0.95);
+        real stays = hangs_over_drum(friction[k], 1.05, false);
+        real goes = hangs_over_drum(friction[k], 0.95, false);
         printf("rope on a drum, friction %g: stays within %.2g m, goes %.2g m\n",
                friction[k], stays, goes);
         ck_assert(fabs(stays) < 0.005);
         ck_assert(goes > 0.1);
     }
     begin(world_options_default());
+}
+END_TEST
+
+// The other rope is nailed all along: its links are as fixed as a drum.  Rejects:
+// pairs of particles that friction holds by their overlap alone.
+START_TEST(rope_over_a_nailed_rope_holds_what_friction_holds_and_no_more)
+{
+    static const real friction[] = { 0.1, 0.3, 0.5 };
+    for (int k = 0; k < 3; k++) {
+        real stays = hangs_over_drum(friction[k], 1.25, true);
+        real goes = hangs_over_drum(friction[k], 0.8, true);
+        ck_assert_msg(fabs(stays) < 0.02, "%g: goes %g m", friction[k], stays);
+        ck_assert_msg(goes > 0.1, "%g: goes %g m", friction[k], goes);
+    }
 }
 END_TEST
 
@@ -837,6 +860,7 @@ int main(void)
         rope_that_sleeps_wakes_under_a_cloth,
         rope_that_friction_holds_does_not_creep,
         rope_over_a_drum_holds_what_friction_holds_and_no_more,
+        rope_over_a_nailed_rope_holds_what_friction_holds_and_no_more,
         sheet_slides_over_tiles_as_over_one_floor,
         box_on_a_cloth_lies_still_and_falls_asleep,
         pinned_cloth_that_sleeps_is_pinned_as_a_whole,

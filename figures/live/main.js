@@ -76,7 +76,7 @@ class Figure {
       this.play = button('Pause', () => this.loop.play(!this.loop.playing));
       this.play.rename = name => { this.play.textContent = name; };
       this.stage.after(
-        make('div', { class: 'live-panel' },
+        make('div', { class: dials.some(dial => dial.matches('.live-long')) ? 'live-panel live-many' : 'live-panel' },
           make('div', { class: 'live-dials' }, make('div', { class: 'live-buttons' }, this.play, button('Start again', again), ...more), ...dials, this.said),
           make('div', { class: 'live-charts' }, ...this.charts.map(chart => chart.node))),
         this.foot);
@@ -122,6 +122,8 @@ class Figure {
     await this.beginAs();
     if (still()) this.tick(FRAMES - this.frames);
     else if ('first' in this.node.dataset) await this.reach(FRAMES);
+    // What is chosen of many is in view.
+    for (const one of this.node.querySelectorAll('.live-long :checked')) one.closest('div').scrollLeft = one.parentNode.offsetLeft - one.closest('div').offsetLeft - 16;
     this.node.dataset.ready = '1';
     this.loop.update();
   }

@@ -114,7 +114,7 @@ static void go_on(void)
         else if (best != v && walked < CORNERS) come();
         else now = DONE;
     } else {
-        if (!is_led) tip = turned(tip, ++turns % 2 ? 30 : -30);
+        if (!is_led) tip = turned(tip, ++turns % 2 ? 14 : -14);
         begin_again(best);
     }
 }
@@ -142,7 +142,7 @@ static void begin(void)
     is_led = false;
     turns = 0;
     hull_mesh b = stone();
-    begin_again(hull_climb(&b, turned(tip, -30), 0));
+    begin_again(hull_climb(&b, turned(tip, -14), 0));
     tell();
 }
 
@@ -217,7 +217,7 @@ const live_figure figure = {
     .name = "climb",
     .says = "A stone with 128 corners, and a direction d; a path leads along the edges of the stone to the corner that is furthest along d",
     .code = "lib/paper/climb.c hull_climb",
-    .camera = { .distance = 5.2, .turn = -0.45, .rise = 0.12, .target = { 0, 0.1, 0 } },
+    .camera = { .distance = 4.6, .turn = 2.5, .rise = 0.05, .target = { 0, 0.1, 0 } },
     .dial = { [FROM] = { "it begins at", NULL, 0, 1, 1, LOWEST, "the lowest corner|where the last one ended", true } },
     .begin = begin, .step = step, .draw = draw, .hash = hash, .move = move, .tap = tap,
 };

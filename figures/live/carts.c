@@ -2,13 +2,15 @@
 
 #include "live.h"
 
+#include <stdio.h>
+
 enum { BUFFER };                        // dial
 enum { FORCE, ENERGY };                 // charts
 enum { MOTION, STORED, SUM };           // lines of the second
 enum { STEPS = 100 };                   // a frame
 static const real DT = 1.0 / 60 / STEPS;
 static const real LENGTH = 0.6;         // m, of the buffer at rest
-static const real LONG = 0.7, HIGH = 0.3, WHEEL = 0.07;
+static const real LONG = 1.1, HIGH = 0.66, WHEEL = 0.14;
 static const real OVER = 2.6;           // s, then it begins again
 
 typedef struct {
@@ -73,8 +75,7 @@ static void draw_cart(live_colour colour, real left)
     vec3 box[5] = { { left, WHEEL, 0 }, { left + LONG, WHEEL, 0 }, { left + LONG, HIGH, 0 }, { left, HIGH, 0 }, { left, WHEEL, 0 } };
     live_area(colour, box, 5);
     live_line(colour, box, 5);
-    live_circle(colour, vec3_make(left + 0.15, WHEEL, 0), WHEEL);
-    live_circle(colour, vec3_make(left + LONG - 0.15, WHEEL, 0), WHEEL);
+    for (int k = 0; k < 2; k++) live_circle(colour, vec3_make(left + LONG * (k ? 0.78 : 0.22), WHEEL, 0), WHEEL);
 }
 
 // The buffer is fixed to the second cart.
@@ -84,7 +85,7 @@ static void draw_buffer(void)
     vec3 at[TURNS + 1];
     real length = LENGTH - pressed();
     for (int k = 0; k <= TURNS; k++)
-        at[k] = vec3_make(c[1].x - length + length * k / TURNS, 0.2 + (k % TURNS == 0 ? 0 : k % 2 ? 0.05 : -0.05), 0);
+        at[k] = vec3_make(c[1].x - length + length * k / TURNS, 0.4 + (k % TURNS == 0 ? 0 : k % 2 ? 0.1 : -0.1), 0);
     live_line(is_coupled ? LIVE_RED : LIVE_INK, at, TURNS + 1);
 }
 
@@ -95,9 +96,12 @@ static void draw(void)
     draw_cart(LIVE_ORANGE, c[1].x);
     draw_buffer();
     for (int i = 0; i < 2; i++) {
-        vec3 middle = { c[i].x + (i ? LONG / 2 : -LONG / 2), 0.48, 0 };
-        live_label(i ? LIVE_ORANGE : LIVE_BLUE, vec3_make(middle.x - 0.15, 0.62, 0), i ? "1 kg" : "2 kg");
-        if (fabs(c[i].v) > 0.05) live_arrow(i ? LIVE_ORANGE : LIVE_BLUE, middle, vec3_make(middle.x + 0.25 * c[i].v, middle.y, 0));
+        vec3 middle = { c[i].x + (i ? LONG / 2 : -LONG / 2), HIGH + 0.22, 0 };
+        char speed[24];
+        snprintf(speed, sizeof speed, "%.1f m/s", c[i].v);
+        live_label(i ? LIVE_ORANGE : LIVE_BLUE, vec3_make(middle.x - 0.2, 0.38, 0), i ? "1 kg" : "2 kg");
+        live_label(i ? LIVE_ORANGE : LIVE_BLUE, vec3_make(middle.x - 0.3, middle.y + 0.22, 0), speed);
+        if (fabs(c[i].v) > 0.05) live_arrow(i ? LIVE_ORANGE : LIVE_BLUE, middle, vec3_make(middle.x + 0.3 * c[i].v, middle.y, 0));
     }
 }
 
@@ -116,7 +120,7 @@ static unsigned long long hash(void)
 const live_figure figure = {
     .name = "carts",
     .says = "A cart of 2 kg rolls into a cart of 1 kg that stands; a buffer between them is pressed together",
-    .pane = { { -4, -0.2, 8, 1.2 } },
+    .pane = { { -3.6, -0.25, 7.2, 1.75 } },
     .dial = { [BUFFER] = { "stiffness of the buffer, N/m", NULL, 40, 1000, 10, 60, NULL, true } },
     .button = { "With a latch, or without" },
     .chart = {

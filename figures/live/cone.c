@@ -83,7 +83,7 @@ static unsigned long long hash(void)
 const live_figure figure = {
     .name = "cone",
     .says = "A particle has moved into the floor and is pushed out; a cone on its tip shows which places friction may take it to",
-    .pane = { { -3, -1.2, 6, 2.5 } },
+    .pane = { { -1.9, -1.1, 4.6, 2.1 } },
     .dial = { [FRICTION] = { "friction, μ", NULL, 0, 1.5, 0.05, 0.6, NULL, false } },
     .begin = begin, .step = step, .draw = draw, .hash = hash, .move = move,
 };

@@ -14,13 +14,14 @@ function slider(dial, turned) {
   return make('label', { class: 'live-dial' }, make('span', {}, dial.name), input, out);
 }
 
+const MANY = 8;                 // more choices have a line of their own
 let groups = 0;
 function choice(dial, turned) {
   const group = 'live-choice-' + groups++;
   const options = dial.choices.split('|').map((name, k) => make('label', {},
     make('input', { type: 'radio', name: group, checked: k === dial.value, onchange: () => turned(k) }),
     make('span', {}, name)));
-  return make('fieldset', { class: 'live-choice' }, make('legend', {}, dial.name), make('div', {}, ...options));
+  return make('fieldset', { class: options.length > MANY ? 'live-choice live-long' : 'live-choice' }, make('legend', {}, dial.name), make('div', {}, ...options));
 }
 
 export const makeDial = (dial, turned) => (dial.choices ? choice : slider)(dial, turned);

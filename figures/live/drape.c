@@ -156,12 +156,21 @@ static void step(void)
     frame++;
 }
 
+// m, how far all of the cloth is below the floor, where it is not seen; 0: it is seen.
+static real lost(void)
+{
+    real top = -HUGE_VAL;
+    for (int i = 0; i < scene_shape(&run.scene, ON_TOP)->particles; i++) top = real_max(top, places(ON_TOP)[i].y);
+    return real_max(0, -top);
+}
+
 static void measure(void)
 {
     if (!is_ready || frame % 4) return;
     poses p = runner_poses(&run);
     live_value(STRAIN, 0, 100 * p.strain);
     if (!p.finite) live_say("The cloth has flown off: its numbers are lost.");
+    else if (lost() > 0) live_say("The cloth has gone through: it is %.0f m below the floor, its worst stick wrong by %.1f %%.", lost(), 100 * p.strain);
     else if (p.particles_in > 0) live_say("%d particles of the cloth stand in the cube.", p.particles_in);
     else live_say("The worst stick is wrong by %.1f %%.", 100 * p.strain);
 }

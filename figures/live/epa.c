@@ -125,10 +125,19 @@ static void iterate(void)
     else expand();
 }
 
+// The lines of an iteration, a quarter of its time each.
+static void light(void)
+{
+    static const char *const line[] = { "closest_face(&p)", "w = furthest_beyond", "found = !is_beyond", "if (!found) expand" };
+    if (!overlaps) live_light("");
+    else           live_light(is_done && 4 * frame / PACE > 2 ? "face_result(" : line[int_min(4 * frame / PACE, 3)]);
+}
+
 static void step(void)
 {
     if (++frame >= (is_done ? REST : PACE) && is_paced) iterate();
     show();
+    light();
 }
 
 static void press(int button)
@@ -216,6 +225,7 @@ static unsigned long long hash(void)
 const live_figure figure = {
     .name = "epa",
     .says = "Two overlapping shapes, A and B, and their difference, A - B, with the polygon of EPA that grows to the edge closest to the origin",
+    .code = "lib/paper/hit_face.c hit_face_climb",
     .pane = { [SHAPES] = { -2.0, -1.75, 4.6, 4.174 }, [DIFFERENCE] = { -2.2, -2.1, 5.8, 5.263 } },
     .dial = {
         [CORNERS_A] = { "corners of A", NULL, 0, 3, 1, 1, "4|8|16|32", true },

@@ -91,10 +91,19 @@ static void iterate(void)
     tell();
 }
 
+// The lines of an iteration, a quarter of its time each.
+static void light(void)
+{
+    static const char *const line[] = { "corner w = hull_support", "if (vv - p->bound", "next.of[next.count++] = w", "nearest(&next)" };
+    if (state == GJK_CAPPED) live_light(line[int_min(4 * frame / PACE, 3)]);
+    else                     live_light(state == GJK_APART ? line[1] : "if (vv < 1e-120)");
+}
+
 static void step(void)
 {
     note_bounds();
     tell();
+    light();
     if (++frame >= (state == GJK_CAPPED ? PACE : REST) && is_paced) iterate();
 }
 
@@ -179,6 +188,7 @@ static unsigned long long hash(void)
 const live_figure figure = {
     .name = "gjk",
     .says = "Two polygons, A and B, and their difference, A - B, the origin, and the simplex that GJK holds",
+    .code = "lib/paper/gjk.c step",
     .pane = { [SHAPES] = { -0.5, -0.95, 5.2, 4.77 }, [DIFFERENCE] = { -0.95, -1.75, 5.2, 4.77 } },
     .dial = { [TURN] = { "turn of B", "°", -90, 90, 1, 0, NULL, true } },
     .button = { "Next iteration" },

@@ -17,6 +17,7 @@ define LIVES
 04/support
 04/regions
 05/epa
+05/climb
 06/tree
 06/enclose
 07/shares
@@ -48,7 +49,7 @@ define LIVES
 endef
 # What a figure takes from other folders, beside the library.
 WITH_gjk := rules/04-distance-1.o live/plane.o
-$(foreach f,dot epa shares nearest slab regions clip,$(eval WITH_$f := live/plane.o))
+$(foreach f,dot epa climb shares nearest slab regions clip,$(eval WITH_$f := live/plane.o))
 WITH_hard := live/live_world.o live/view.o tests/hard_set.o tests/hard_drape_set.o
 WITH_sandbox := live/view.o $(SCENES:%.c=figures/%.o)
 WITH_drape := figures/runner.o tests/poses.o

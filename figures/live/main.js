@@ -2,8 +2,8 @@
 // stage, dials, charts and a foot line; its WebAssembly comes when it is near.  Of
 // <figure data-small="orbit" data-dial="0" data-set="1:4"> there is the stage, its
 // buttons, and at most that dial, with dial 1 turned to 4 from the start; with data-first
-// it moves as soon as it can.  One without charts is small as well, has its one dial, and
-// may have the code that it runs, a line lit.
+// it moves as soon as it can.  One without charts is small as well, and has its one dial.
+// One that is no part of another may have the code that it runs, a line lit.
 
 import style from './live.css';
 import { make, dark } from './node.js';
@@ -64,11 +64,11 @@ class Figure {
     this.said = make('p', { class: 'live-said' });
     this.foot = make('p', { class: 'live-foot' });
     this.tools = this.makeTools(again);
+    this.code = 'live' in this.node.dataset && panel.code && new Code(panel.code);
     this.stage.append(this.tools);
     if (this.isSmall) {
       const dial = 'small' in this.node.dataset ? dials[this.node.dataset.dial] : dials[0];
       this.play = this.tools.firstChild;
-      this.code = 'live' in this.node.dataset && panel.code && new Code(panel.code);
       const under = [dial || more.length ? make('div', { class: 'live-one' }, ...(dial ? [dial] : []), ...more) : '',
         'live' in this.node.dataset ? this.said : '', this.code ? this.code.node : ''];
       this.stage.after(...under.filter(Boolean));
@@ -76,10 +76,10 @@ class Figure {
       this.play = button('Pause', () => this.loop.play(!this.loop.playing));
       this.play.rename = name => { this.play.textContent = name; };
       this.stage.after(
-        make('div', { class: 'live-panel' },
+        make('div', { class: dials.some(dial => dial.matches('.live-long')) ? 'live-panel live-many' : 'live-panel' },
           make('div', { class: 'live-dials' }, make('div', { class: 'live-buttons' }, this.play, button('Start again', again), ...more), ...dials, this.said),
           make('div', { class: 'live-charts' }, ...this.charts.map(chart => chart.node))),
-        this.foot);
+        ...(this.code ? [this.code.node] : []), this.foot);
     }
     this.tell('');
   }
@@ -122,6 +122,8 @@ class Figure {
     await this.beginAs();
     if (still()) this.tick(FRAMES - this.frames);
     else if ('first' in this.node.dataset) await this.reach(FRAMES);
+    // What is chosen of many is in view.
+    for (const one of this.node.querySelectorAll('.live-long :checked')) one.closest('div').scrollLeft = one.parentNode.offsetLeft - one.closest('div').offsetLeft - 16;
     this.node.dataset.ready = '1';
     this.loop.update();
   }

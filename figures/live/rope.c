@@ -102,6 +102,7 @@ static void draw(void)
     static const char *const name[ROPES] = { "springs", "sticks" };
     for (int k = 0; k < ROPES; k++) {
         live_pane(k);
+        live_line(LIVE_QUIET, (vec3[]){ { pin.x - 0.3, pin.y, 0 }, { pin.x + 0.3, pin.y, 0 } }, 2);
         draw_rope(k);
         live_label(COLOUR[k], vec3_make(-0.74, 1.15, 0), name[k]);
         live_handle(k, LIVE_INK, rope[k][0].position, "the pin of the rope");

@@ -12,7 +12,7 @@ enum { SCENE, NEW, TOUCH, WIND, GRAVITY };      // dials
 enum { BOX, BALL, STONE, ROD, CLOTH, ROPE };
 enum { STRIKE, PIN, TIE, CUT, TAKE };
 enum { AWAKE, TIME };                           // charts
-enum { WRECKER = 5, BELT = 14, EMPTY = 16, MOST = 600, PINS = 64, ROUND = 60 };
+enum { WRECKER = 5, CAR = 10, BELT = 14, EMPTY = 16, MOST = 600, PINS = 64, ROUND = 60 };
 static const real HIGH = 2.1;                   // m, as it is drawn: from there what is new falls
 static const live_colour COLOUR[] = { LIVE_BLUE, LIVE_ORANGE, LIVE_GREEN, LIVE_PURPLE, LIVE_RED };
 
@@ -22,6 +22,7 @@ static const example *scene;
 static tumble_world *world;
 static tumble_body all[MOST];
 static int bodies, thrown;
+static real rolled;                             // m, that a belt has gone
 static struct { tumble_body body; int vertex; tumble_joint joint; } pin[PINS];
 static int pins;
 static bool is_tying;
@@ -41,6 +42,7 @@ static void begin(void)
     world = tumble_world_make(&o);
     pins = thrown = 0;
     is_tying = false;
+    rolled = 0;
     if (!world) return;
     if (scene->build) scene->build(world);
     else              tumble_plane_add(world, tumble_v(0, 1, 0), 0, -1);
@@ -76,21 +78,6 @@ static int nearest_vertex(tumble_body b, vec3 at)
     return best;
 }
 
-// --- One more ------------------------------------------------------------------------
-static tumble_shape new_shape(int kind, double m)
-{
-    switch (kind) {
-    case BOX:   return tumble_shape_box(world,
-                                        tumble_v(0.35 * m, 0.35 * m, 0.35 * m),
-                                        1);
-    case BALL:  return tumble_shape_sphere(world, 0.2 * m, 1);
-    case STONE: return tumble_shape_icosahedron(world, 0.22 * m, 1);
-    case ROD:   return tumble_shape_capsule(world, 0.4 * m, 0.1 * m, 1);
-    case CLOTH: return tumble_shape_cloth(world, 16, 16, 1.1 * m, 1.1 * m, 0.2);
-    default:    return tumble_shape_rope(world, 24, 1.6 * m, 0.3);
-    }
-}
-
 // The least box around a body, as far as it is seen.
 typedef struct { vec3 least, most; } bounds;
 
@@ -108,6 +95,35 @@ static bounds bounds_of(tumble_body b)
     }
     free(vertex);
     return box;
+}
+
+// What the program moves: an arm, or what is wide and flat, a belt that goes along x.
+static bool is_moved(tumble_body b)
+{
+    return tumble_body_get_options(world, b).kind == TUMBLE_KINEMATIC;
+}
+
+static bool is_belt(tumble_body b)
+{
+    if (!is_moved(b)) return false;
+    bounds box = bounds_of(b);
+    real high = box.most.y - box.least.y;
+    return high < (box.most.x - box.least.x) / 4 && high < (box.most.z - box.least.z) / 4;
+}
+
+// --- One more ------------------------------------------------------------------------
+static tumble_shape new_shape(int kind, double m)
+{
+    switch (kind) {
+    case BOX:   return tumble_shape_box(world,
+                                        tumble_v(0.35 * m, 0.35 * m, 0.35 * m),
+                                        1);
+    case BALL:  return tumble_shape_sphere(world, 0.2 * m, 1);
+    case STONE: return tumble_shape_icosahedron(world, 0.22 * m, 1);
+    case ROD:   return tumble_shape_capsule(world, 0.4 * m, 0.1 * m, 1);
+    case CLOTH: return tumble_shape_cloth(world, 16, 16, 1.1 * m, 1.1 * m, 0.2);
+    default:    return tumble_shape_rope(world, 24, 1.6 * m, 0.3);
+    }
 }
 
 // How far up a body has to go, so that all that lies in its column is below it.
@@ -284,6 +300,8 @@ static void step(void)
     if (live_held() >= 0 && live_held() < bodies) pull(all[live_held()]);
     if (live_dial(WIND) > 0) blow();
     if (scene->act) scene->act(world);
+    for (int k = 0; k < bodies; k++)
+        if (is_belt(all[k])) rolled += tumble_body_velocity(world, all[k]).x / 60;
     tumble_world_step(world);
 }
 
@@ -340,6 +358,30 @@ static void on_line(void *context, tumble_body b, const tumble_vec3 at[2])
     live_tube(-1, LIVE_QUIET, drawn(at[0]), drawn(at[1]), 0.008);
 }
 
+// Ribs across a belt go with it; what it carries lies on them.
+static void draw_belt(tumble_body b)
+{
+    enum { RIBS = 16 };
+    bounds box = bounds_of(b);
+    real gap = (box.most.x - box.least.x) / RIBS, wide = gap / 6, y = box.most.y + 0.004;
+    for (int k = 0; k < RIBS; k++) {
+        real x = box.least.x + fmod(rolled + k * gap, RIBS * gap);
+        vec3 corner[4] = { { x, y, box.least.z }, { x + wide, y, box.least.z }, { x + wide, y, box.most.z }, { x, y, box.most.z } };
+        for (int i = 0; i < 4; i++) corner[i] = view_of(corner[i]);
+        live_mesh(-1, LIVE_QUIET, corner, 4, (int[]){ 0, 3, 2, 0, 2, 1 }, 2, false);
+    }
+}
+
+// A road for what drives, with a mark for every two metres.
+static void draw_road(void)
+{
+    for (int k = -3; k < 40; k++)
+        for (int side = -1; side <= 1; side++) {
+            real z = 1.9 * side, x = 2 * k;
+            live_tube(-1, side ? LIVE_QUIET : LIVE_ORANGE, view_of(vec3_make(x, 0, z)), view_of(vec3_make(x + (side ? 2 : 0.8), 0, z)), 0.012);
+        }
+}
+
 // On an empty floor a ring shows where what is put in will fall.
 static void draw_ring(void)
 {
@@ -357,6 +399,7 @@ static void draw(void)
 {
     if (!world) return;
     if (bodies == 0) draw_ring();
+    if (live_choice(SCENE) == CAR) draw_road();
     tumble_pen pen = { on_triangle, on_line, NULL, NULL };
     for (int k = 0; k < bodies; k++) {
         int faces;
@@ -364,7 +407,9 @@ static void draw(void)
             || is_soft(all[k]);
         bool rests = !tumble_body_is_awake(world, all[k])
             || tumble_body_mass(world, all[k]) <= 0;
-        if (is_whole) draw_skin(k, rests ? LIVE_GREY : COLOUR[k % 5]);
+        bool belt = is_belt(all[k]);
+        if (is_whole) draw_skin(k, is_moved(all[k]) && !belt ? LIVE_ORANGE : rests ? LIVE_GREY : COLOUR[k % 5]);
+        if (belt) draw_belt(all[k]);
     }
     tumble_world_draw(world, &pen);
     for (int k = 0; k < pins; k++)

@@ -185,7 +185,7 @@ static void draw(void)
         draw_body(LIVE_ORANGE, now + A_CORNERS, B_CORNERS, false);
         for (int i = 0; i < CORNERS; i++)
             if (vec3_distance(now[i], at[i]) > 0.02) live_arrow(LIVE_INK, now[i], at[i]);
-        label_share(LIVE_BLUE, "A", &touch.a, vec3_add(plane_middle(now, A_CORNERS), vec3_make(-2.0, 0.4, 0)));
+        label_share(LIVE_BLUE, "A", &touch.a, vec3_make(-2.2, 2.15, 0));
         label_share(LIVE_ORANGE, "B", &touch.b, vec3_add(plane_middle(now + A_CORNERS, B_CORNERS), vec3_make(-0.6, -0.4, 0)));
     } else if (depth > 0) {
         live_dot(LIVE_BLUE, feature_at(&touch.a, now), 5);

@@ -162,7 +162,7 @@ export class Space {
     this.all = new Drawing(this.scene);
     stage.append(this.canvas);
     this.listen();
-    new ResizeObserver(() => this.size()).observe(stage);
+    new ResizeObserver(() => this.size()).observe(this.canvas);
   }
 
   light() {
@@ -245,7 +245,7 @@ export class Space {
 
   size() {
     this.renderer.setPixelRatio(Math.min(devicePixelRatio || 1, 2));
-    this.renderer.setSize(this.stage.clientWidth, this.stage.clientHeight, false);
+    this.renderer.setSize(this.canvas.clientWidth, this.canvas.clientHeight, false);
     this.look();
   }
 

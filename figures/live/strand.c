@@ -98,6 +98,17 @@ static void measure(void)
                   worst[BY_STICKS], worst[AT_ONCE]);
 }
 
+// The load, as large as it is heavy, below the end of its rope.
+static void draw_load(vec3 at)
+{
+    static const real WIDE[] = { 0.08, 0.2, 0.42 };
+    static const char *const mass[] = { "1", "100", "1,000" };
+    real w = WIDE[live_choice(LOAD)] / 2;
+    vec3 box[4] = { { at.x - w, at.y, 0 }, { at.x + w, at.y, 0 }, { at.x + 1.1 * w, at.y - 1.6 * w, 0 }, { at.x - 1.1 * w, at.y - 1.6 * w, 0 } };
+    live_area(LIVE_INK, box, 4);
+    if (live_choice(LOAD) > 0) live_label(LIVE_INK, vec3_make(at.x - 0.07 * live_choice(LOAD), at.y - w - 0.06, 0), mass[live_choice(LOAD)]);
+}
+
 static void draw(void)
 {
     static const char *const name[ROPES] = { "stick by stick", "all links at once" };
@@ -105,6 +116,8 @@ static void draw(void)
         vec3 at[LINKS + 1];
         for (int i = 0; i <= LINKS; i++) at[i] = rope[r][i].position;
         live_pane(r);
+        live_line(LIVE_QUIET, (vec3[]){ { -0.4, 0, 0 }, { 0.4, 0, 0 } }, 2);
+        draw_load(at[END]);
         live_line(COLOUR[r], at, LINKS + 1);
         for (int i = 0; i < LINKS && scratch; i++)
             if (stick_strain(plan.stick[i], rope[r]) > 0.1) live_line(LIVE_RED, &at[i], 2);

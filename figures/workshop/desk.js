@@ -89,6 +89,13 @@ export async function makeDesk(place, plan) {
     }
     act.disabled = false;
     end.hidden = true;
+    reveal();
+  }
+
+  // A long file, or a phone: what is said of it stands below the window.
+  function reveal() {
+    const first = said.firstElementChild;
+    if (first && first.getBoundingClientRect().bottom > innerHeight) said.scrollIntoView({ block: 'nearest' });
   }
 
   // What is taken away can be had back once.
@@ -118,7 +125,9 @@ export function showMessages(desk, messages) {
   const own = messages.filter(({ file }) => file === 'mine.c');
   desk.editor.mark(own);
   if (!messages.length) return [];
-  return [make('ul', { className: 'workshop-messages' }, ...messages.filter(({ kind }) => kind !== 'note').slice(0, 20).map(one =>
+  // Of a file with errors the warnings may be about what the compiler made of it.
+  const wrong = messages.filter(({ kind }) => kind === 'error'), shown = wrong.length ? wrong : messages.filter(({ kind }) => kind !== 'note');
+  return [make('ul', { className: 'workshop-messages' }, ...shown.slice(0, 20).map(one =>
     make('li', { className: one.kind }, one.file === 'mine.c'
       ? button(`line ${one.line}`, () => desk.editor.show(one.line, true), { className: 'workshop-line' }) : `${one.file}, line ${one.line}`, `: ${one.kind}: ${one.text}`,
       ...(one.more.length ? [make('pre', {}, one.more.slice(0, 3).join('\n').trimEnd())] : []))))];

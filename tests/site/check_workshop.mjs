@@ -209,11 +209,14 @@ async function checkReader() {
 // come as well, and there the editor shows what is to be written.  The little program
 // begins with its first line.
 async function checkPhone() {
-  const options = { viewport: { width: 390, height: 844 }, reducedMotion: 'reduce' };
+  const options = { viewport: { width: 390, height: 844 }, reducedMotion: 'reduce', hasTouch: true };
   const page = await open(disk('03-rank'), options);
   await page.waitForFunction(() => document.querySelector('.cm-activeLine')?.textContent.includes('Yours to write'), null, WAIT);
   await page.waitForTimeout(1000);
   check(await page.evaluate(() => scrollY) === 0, `a phone begins with the task, not ${await page.evaluate(() => scrollY)} px below it`);
+  await page.locator('.workshop-act').tap();
+  await page.waitForFunction(() => !document.querySelector('.workshop-act').disabled, null, WAIT);
+  check(await page.locator('.workshop-said > :first-child').evaluate(node => { const box = node.getBoundingClientRect(); return box.top >= 0 && box.bottom <= innerHeight; }), 'a phone shows what is said, below the editor');
   await page.context().close();
   const little = await open(pathToFileURL(`${site}/little.html`).href, options, '[data-little]');
   await little.waitForSelector('.cm-scroller', WAIT);

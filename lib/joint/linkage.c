@@ -1002,9 +1002,10 @@ static void solve_group(linkage *l, const linkage_pass *q, const linkage_group *
 // by more than a thousandth, and a chain costs a tenth less.
 static const real MISS = 1e-6;              // tuned, sizes
 
-// A tree that was solved without a limit that is reached, or with one that
-// pulls, is solved again.
-enum { LIMIT_ROUNDS = 4 };                  // tuned, rounds
+// Rows are straight, and points go along arcs: a large impact is solved more
+// than once, as Newton does.  And as often again if it was solved without a limit
+// that is reached, or with one that pulls.
+enum { IMPACT_STEPS = 3 };                  // tuned, steps
 
 // Are all where they were when this was last asked?
 static bool find_ends(linkage *l, const linkage_pass *q, const linkage_group *g)
@@ -1069,7 +1070,7 @@ static void settle_group(linkage *l, const linkage_pass *q, linkage_group *g,
     real before = 0;
     for (int s = g->first; s < g->end && g->is_limited; s++)
         memset(l->rows[l->step[s].joint].since, 0, sizeof l->rows->since);
-    for (int n = 0; n < rounds + LIMIT_ROUNDS; n++) {
+    for (int n = 0; n < rounds + IMPACT_STEPS; n++) {
         if (n >= rounds && !g->is_limited) return;
         bool is_known = is_last && find_ends(l, q, g);
         if (is_known && g->is_settled) return;
@@ -1350,10 +1351,6 @@ void linkage_begin(linkage *l, const linkage_pass *q)
         push_both(q, j, r, j->impulse);
     }
 }
-
-// Rows are straight, and points go along arcs: a large impact is solved more
-// than once, as Newton does.
-enum { IMPACT_STEPS = 3 };                  // tuned, steps
 
 // As a share of a body's size: what missed by no more than this before it was
 // solved misses by a hundredth of that after it.  Before the contacts push that is

@@ -285,18 +285,25 @@ static void push_both(const linkage_pass *q, const joint *j, joint_rows *r,
 //>   wanted differs, so it is an argument of all that follows.
 // How fast a joint's errors must change.  A body that turns takes a point along
 // an arc: where the points will be at the end of the substep is looked up.
-static void bias_position(const linkage *l, const linkage_pass *q, int number,
-                          real want[JOINT_ROWS])
+static void bias_to_end(const linkage *l, const linkage_pass *q, int number,
+                        real then[JOINT_ROWS], real want[JOINT_ROWS])
 {
     const joint *j = &l->joint[number];
     const joint_rows *r = &l->rows[number];
-    real h = q->f->h, then[JOINT_ROWS];
+    real h = q->f->h;
     joint_errors(j, r, end_of(l, q, j->a), end_of(l, q, j->b), then);
     for (int k = 0; k < r->held + j->is_limited; k++) {
         bool is_open = k == r->held && r->error[k] > 0;
         real left = is_open ? 0 : (1 - r->share) * r->error[k];
         want[k] = (left - then[k]) / h - r->give[k] * j->impulse[k];
     }
+}
+
+static void bias_position(const linkage *l, const linkage_pass *q, int number,
+                          real want[JOINT_ROWS])
+{
+    real then[JOINT_ROWS];
+    bias_to_end(l, q, number, then, want);
 }
 
 ALWAYS_INLINE void stop(int n, const linkage_pass *q, const joint *j,
@@ -348,29 +355,17 @@ static void bias_friction(const linkage_pass *q, const joint *j, joint_rows *r,
     }
 }
 
-static void bias_cone_position(const linkage *l, const linkage_pass *q,
-                               int number, real want[JOINT_ROWS])
-{
-    const joint *j = &l->joint[number];
-    joint_rows *r = &l->rows[number];
-    real then[JOINT_ROWS];
-    joint_errors(j, r, end_of(l, q, j->a), end_of(l, q, j->b), then);
-    for (int i = 0; i < 2; i++)
-        want[r->held + i] = actuator_bias_cone(j, r, i, q->f->h, q->f->joint_rate,
-                                               &then[r->held + i], 0);
-}
-
 static void bias_driven_position(const linkage *l, const linkage_pass *q,
                                  int number, real want[JOINT_ROWS])
 {
     const joint *j = &l->joint[number];
     joint_rows *r = &l->rows[number];
-    bias_position(l, q, number, want);
-    if (j->is_coned) bias_cone_position(l, q, number, want);
+    real h = q->f->h, rate = q->f->joint_rate, then[JOINT_ROWS];
+    bias_to_end(l, q, number, then, want);
+    for (int i = 0; i < 2 && j->is_coned; i++)
+        want[r->held + i] = actuator_bias_cone(j, r, i, h, rate, &then[r->held + i], 0);
     if (j->friction > 0) bias_friction(q, j, r, want);
-    if (!j->is_driven) return;
-    real end = joint_where(j, end_of(l, q, j->a), end_of(l, q, j->b));
-    want[r->held] = actuator_bias(j, r, q->f->h, q->f->joint_rate, &end, 0);
+    if (j->is_driven) want[r->held] = actuator_bias(j, r, h, rate, &then[r->held], 0);
 }
 
 static void bias_driven_velocity(const linkage *l, const linkage_pass *q,

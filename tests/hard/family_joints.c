@@ -1,4 +1,4 @@
-// family_joints.c - rows 160 to 169: joints.
+// family_joints.c - rows 159 to 169: joints.
 //
 // Gaps are taken from poses: where does each of two bodies hold the point at
 // which they were joined?  Energies are made of poses, velocities and spins,
@@ -45,7 +45,7 @@ static tumble_vec3 where_held(const tumble_world *w, held h)
 
 // Joints, and for each the two points that are one.
 // The bodies, and of each the inertia about the axes of its shape (kg m^2).
-enum { MOST_JOINTS = 64 };
+enum { MOST_JOINTS = 96 };
 typedef struct {
     int  count, bodies;
     held a[MOST_JOINTS], b[MOST_JOINTS];
@@ -821,6 +821,77 @@ static void heavy_chains(hard_report *r, int fast)
     family_add(r, &force, "", "force in its first joint, of all weight");
 }
 
+// ---- 159: rings ------------------------------------------------------------
+
+// A closed chain of n links of this length that hangs from one of its joints.
+static void hang_ring(tumble_world *w, linkage *l, int n, double length)
+{
+    tumble_vec3 sides = tumble_v(0.9 * length, 0.2 * length, 0.2 * length);
+    tumble_shape s = tumble_shape_box(w, sides, 1);
+    double out = n * length / (2 * FAMILY_PI);
+    for (int k = 0; k < n; k++) {
+        double turn = 2 * FAMILY_PI * k / n;
+        tumble_body_options o = tumble_body_at(out * sin(turn), out * cos(turn), 0);
+        o.pose.rotation = tumble_quat_turn(tumble_v(0, 0, 1), -turn);
+        tumble_body b = weigh(l, tumble_body_add(w, s, o), box_inertia(sides, 1));
+        turn -= FAMILY_PI / n;
+        tumble_vec3 at = tumble_v(out * sin(turn), out * cos(turn), 0);
+        if (k > 0) join(w, l, l->body[k - 1], b, at);
+    }
+    tumble_vec3 hook = tumble_v(-out * sin(FAMILY_PI / n),
+                                out * cos(FAMILY_PI / n), 0);
+    join(w, l, l->body[n - 1], l->body[0], hook);
+    join(w, l, l->body[0], tumble_body_ground(), hook);
+}
+
+// n planks of this length, each joined to the next at both rails, hang in a V.
+static void hang_bridge(tumble_world *w, linkage *l, int n, double length)
+{
+    const double up = 0.6, along = 0.8;
+    tumble_vec3 sides = tumble_v(0.9 * length, 0.1 * length, 2 * length);
+    tumble_shape s = tumble_shape_box(w, sides, 1);
+    tumble_body ground = tumble_body_ground();
+    for (int k = 0; k < n; k++) {
+        double side = k < n / 2 ? -1 : 1, deep = side < 0 ? k + 0.5 : n - k - 0.5;
+        tumble_body_options o = tumble_body_at(along * length * (k + 0.5),
+                                               -up * length * deep, 0);
+        o.pose.rotation = tumble_quat_turn(tumble_v(0, 0, 1), side * asin(up));
+        weigh(l, tumble_body_add(w, s, o), box_inertia(sides, 1));
+    }
+    for (int k = 0; k <= n; k++)
+        for (int rail = -1; rail < 2; rail += 2)
+            join(w, l, k > 0 ? l->body[k - 1] : ground, k < n ? l->body[k] : ground,
+                 tumble_v(along * length * k, -up * length * (k < n - k ? k : n - k),
+                          0.9 * length * rail));
+}
+
+// They hold as chains do, and falling gains nothing.
+static void rings(hard_report *r, int fast)
+{
+    static const double lengths[] = { 0.2, 0.02, 5 };
+    static const int links[] = { 10, 40 };
+    family_worst gap = { .target = 1e-3 }, gain = { .target = 1e-3 };
+    for (int k = 0; k < (fast ? 2 : 36); k++) {
+        double dt = STEPS[k / 12], length = lengths[k / 4 % 3];
+        int n = links[k / 2 % 2];
+        tumble_world *w = begin(dt);
+        linkage l = { 0 };
+        if (k % 2) hang_bridge(w, &l, n, length);
+        else       hang_ring(w, &l, n, length);
+        course c = follow(w, &l, dt, fast ? 0.5 : 2, HUGE_VAL);
+        if (family_ok(r, w)) {
+            char at[80];
+            snprintf(at, sizeof at, "%s of %d, %g m, dt 1/%.0f",
+                     k % 2 ? "a bridge on two rails" : "a ring", n, length, 1 / dt);
+            family_trial(&gap, c.gap / length, "%s", at);
+            family_trial(&gain, c.gain / (n * FAMILY_G * n * length / 2), "%s", at);
+        }
+        tumble_world_free(w);
+    }
+    family_add(r, &gap, "", "gap in a ring of links, of a link");
+    family_add(r, &gain, "", "energy gained, of a fall by its length");
+}
+
 // ---- 168: nothing stops in silence -----------------------------------------
 
 // Is it at rest in the air: awake, under gravity, with no speed at all?
@@ -1013,6 +1084,7 @@ static void symmetries(hard_report *r, int fast)
 }
 
 const hard_case family_joints[] = {
+    { 159, "rings of links", 1, rings },
     { 160, "tops on a ball joint", 1, tops },
     { 161, "steady precession", 1, precession },
     { 162, "flywheels on hinges", 1, flywheels },

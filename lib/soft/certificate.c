@@ -921,6 +921,7 @@ static void search_links(const frame_search *l, const aabb *way, int a, int b,
     }
 }
 
+// (What began in one is on its way out.)
 static void search_bodies(const frame_search *l)
 {
     certificate *c = l->c;
@@ -934,6 +935,7 @@ static void search_bodies(const frame_search *l)
         for (int n = 0; n < f->softs; n++) {
             int a = f->soft[n], ahead = 0;
             if (!soft_moves(f, a) || !soft_meets(f, a, b)) continue;
+            if (f->sunk[a] != SUNK_NOT) continue;
             box_all(l);
             if (is_certified(f, a))
                 search_body(l, &way, whole_soft(l, a), b, &ahead);
@@ -1016,15 +1018,23 @@ static void part_clash(const frame_search *l, const facet_clash *x)
             *at = vec3_add_scaled(*at, middle - side[k].at, x->normal);
     }
 }
-// What a vertex gets, the body loses (kg m, in the time of the way); but what began
-// in it is not thrown.
+
+// (A body that yields is stopped by what it meets, and does not take it along.)
+static bool yields(const soft_frame *f, int b)
+{
+    int whole = body_whole(&f->body[b], b);
+    return !body_is_fixed(&f->body[b]) && f->now[whole].basis.inverse_mass > 0
+        && !f->now[whole].is_driven;
+}
+
+// What a vertex gets, the body loses (kg m, in the time of the way).
 static void push_back(const frame_search *l, const facet_cut *cut, vec3 at,
                       vec3 push)
 {
     const soft_frame *f = l->f;
     const body *x = &f->body[cut->body];
     int whole = body_whole(x, cut->body);
-    if (body_is_fixed(x) || f->sunk[cut->set.part.cells.body] != SUNK_NOT) return;
+    if (body_is_fixed(x)) return;
     vec3 arm = vec3_sub(at, l->c->at[1][x->first]);
     motion_push(&f->velocity[whole], &f->now[whole].basis, arm,
                 vec3_scale(1 / l->c->since, push));
@@ -1079,7 +1089,7 @@ static void join_clash(certificate *c, const facet_clash *x)
             join_components(c, x->set[i].vertex[k], x->set[0].vertex[0]);
 }
 
-// What a body cuts goes as the body does.
+// What a body cuts that does not yield goes as the body does.
 static void join_cut(certificate *c, const facet_cut *x)
 {
     for (int k = 0; k < FACET; k++)
@@ -1126,7 +1136,8 @@ static void move_patches(const frame_search *l)
 {
     certificate *c = l->c;
     for (int k = 0; k < c->clashes; k++) join_clash(c, &c->clash[k]);
-    for (int k = 0; k < c->cuts; k++) join_cut(c, &c->cut[k]);
+    for (int k = 0; k < c->cuts; k++)
+        if (!yields(l->f, c->cut[k].body)) join_cut(c, &c->cut[k]);
     move_as_one(l);
 }
 

@@ -144,7 +144,8 @@ bool certificate_is_due(certificate *c, const soft_frame *f);
 // The way ends, and another begins: if no triangle of cloth crossed another of
 // that cloth, or of one that it meets, none does now; and if none, and no link of a
 // rope, met a rigid body.  Where the end cannot be proved to be so, particles are
-// parted, or go as one, or with a body; what is free keeps its momentum.  Pairs that
+// parted, or go as one, or with a body that does not yield; what is free keeps its
+// momentum.  Pairs that
 // crossed when the way began are left out, and those beside them; so is what is in
 // the way of two bodies.  near, view: what rigid bodies may be met; NULL: none.
 void certificate_end(certificate *c, const soft_frame *f, const near_lists *near,

@@ -88,11 +88,10 @@ int substeps_again(const world *w, real h, int left)
 //>   The largest demand counts. It is obeyed at once. What rests releases it after
 //>   half a second, what moves and is not fast at once.
 // Every change of the number moves what rests, for in shorter substeps it sags
-// less; and it changes the energy of what swings freely, whose error goes with the
-// square of a substep.  So it rises at once, and falls only when it has been too high
-// by a third for as long as a body must be still before it sleeps.  Bodies that move
-// give it back at once: their impacts ask for thirty substeps, and are over.  Not so
-// what flies by its own size in a frame, and is not joined: its next impact may be as
+// less.  So it rises at once, and falls only when it has been too high by a third
+// for as long as a body must be still before it sleeps.  Bodies that move give it
+// back at once: their impacts ask for thirty substeps, and are over.  Not so what
+// flies by its own size in a frame, and is not joined: its next impact may be as
 // hard as the last.
 static const real FEWER = 0.75;             // tuned, 1
 
@@ -107,8 +106,7 @@ static bool takes_all(const island *i)
 static int hold(const world_options *o, substep_choice *c, const island *i,
                 int need)
 {
-    bool swings = i->hangs && !i->rubs;
-    real patience = i->is_calm || takes_all(i) || swings ? o->time_to_sleep : 0;
+    real patience = i->is_calm || takes_all(i) ? o->time_to_sleep : 0;
     c->frames = need < FEWER * c->now ? c->frames + 1 : 0;
     if (need > c->now || (c->frames - 0.5) * o->dt > patience) c->now = need;
     return c->now;

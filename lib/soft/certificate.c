@@ -1020,7 +1020,7 @@ static void part_clash(const frame_search *l, const facet_clash *x)
 }
 
 // (A body that yields is stopped by what it meets, and does not take it along.)
-static bool yields(const soft_frame *f, int b)
+static bool can_be_pushed(const soft_frame *f, int b)
 {
     int whole = body_whole(&f->body[b], b);
     return !body_is_fixed(&f->body[b]) && f->now[whole].basis.inverse_mass > 0
@@ -1137,7 +1137,7 @@ static void move_patches(const frame_search *l)
     certificate *c = l->c;
     for (int k = 0; k < c->clashes; k++) join_clash(c, &c->clash[k]);
     for (int k = 0; k < c->cuts; k++)
-        if (!yields(l->f, c->cut[k].body)) join_cut(c, &c->cut[k]);
+        if (!can_be_pushed(l->f, c->cut[k].body)) join_cut(c, &c->cut[k]);
     move_as_one(l);
 }
 

@@ -84,7 +84,7 @@ static void hold(real h)
 static int stretched(void)
 {
     soft_frame f = soft_frame_of(&w, w.age);
-    return soft_unconverged(&w.soft, &f);
+    return probe_unconverged(&w, &f);
 }
 
 // --- the slow oracle ---------------------------------------------------------

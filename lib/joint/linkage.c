@@ -593,7 +593,7 @@ static void add_to_list(linkage *l, const linkage_pass *q, int b, int k)
 //>   waits for all that hangs on it, and in a ring two fronts come together.
 // The bodies that are joined to root, and it: from it outwards.  Returns where they
 // end.
-static int spread(linkage *l, const linkage_pass *q, int root, int first)
+static int walk_from(linkage *l, const linkage_pass *q, int root, int first)
 {
     int end = first;
     l->order[end++] = root;
@@ -614,9 +614,9 @@ static int spread(linkage *l, const linkage_pass *q, int root, int first)
 // there.
 static int order_group(linkage *l, const linkage_pass *q, int b, int first)
 {
-    int end = spread(l, q, b, first), root = l->order[end - 1];
+    int end = walk_from(l, q, b, first), root = l->order[end - 1];
     for (int i = first; i < end; i++) l->body[l->order[i]].place = -1;
-    return spread(l, q, root, first);
+    return walk_from(l, q, root, first);
 }
 //<
 

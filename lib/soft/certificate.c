@@ -821,7 +821,7 @@ static void put_frame(certificate *c, const soft_frame *f, int b, int e)
 }
 
 // From where all began to where the body has carried it.
-static vec3 carried(const certificate *c, const body *b, vec3 x)
+static vec3 carried_along(const certificate *c, const body *b, vec3 x)
 {
     if (body_is_fixed(b)) return x;
     rigid_frame was = frame_at(c, b, 0), is = frame_at(c, b, 1);
@@ -840,7 +840,7 @@ static bool has_body_plane(const frame_search *l, const certified_set *s,
         for (int k = 0; k < FACET; k++) {
             vec3 was = c->at[0][s->vertex[k]];
             at[k] = c->at[1][s->vertex[k]];
-            at[FACET + k] = turns ? carried(c, b, was) : vec3_add(was, way);
+            at[FACET + k] = turns ? carried_along(c, b, was) : vec3_add(was, way);
         }
         if (obstacle_is_apart(&l->view->hull, at, ENDS * FACET, ahead))
             return true;
@@ -857,7 +857,7 @@ static void part_from_body(const frame_search *l, certified_set s, int b,
     if (has_body_plane(l, &s, &l->f->body[b], ahead)) return;
     int with = c->of[patch_of(c, s.vertex[0])].rides;
     for (int k = 0; k < FACET; k++)
-        at[k] = carried(c, &l->f->body[b], c->at[0][s.vertex[k]]);
+        at[k] = carried_along(c, &l->f->body[b], c->at[0][s.vertex[k]]);
     gjk_result g = gjk_distance((hull){ at, FACET }, solid->vertices,
                                 HUGE_VAL, NULL);
     vec3 n = vec3_unit(g.axis);
@@ -1127,7 +1127,7 @@ static void move_as_one(const frame_search *l)
         const certified_vertex *p = &c->of[patch_of(c, v)];
         if (!p->is_whole || is_fixed(l, v)) continue;
         c->at[1][v] = p->rides >= 0
-            ? carried(c, &l->f->body[p->rides], c->at[0][v])
+            ? carried_along(c, &l->f->body[p->rides], c->at[0][v])
             : vec3_add_scaled(c->at[0][v], 1 / p->mass, p->way);
     }
 }
@@ -1193,7 +1193,7 @@ static void go_along(const frame_search *l)
         for (int v = x->first; v < x->first + body_particles(x); v++)
             if (!is_fixed(l, v))
                 c->at[1][v] = c->carrier < 0 ? c->at[0][v]
-                    : carried(c, &l->f->body[c->carrier], c->at[0][v]);
+                    : carried_along(c, &l->f->body[c->carrier], c->at[0][v]);
     }
 }
 

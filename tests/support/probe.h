@@ -260,13 +260,13 @@ static inline void probe_press(world *w, real pace)
     w->soft.pressed = pace;
 }
 
-// The phases of a substep, one by one.
 // Ropes and cloths that a report tells of.
 static inline int probe_unconverged(world *w, const soft_frame *f)
 {
     return soft_unconverged(&w->soft, f);
 }
 
+// The phases of a substep, one by one.
 static inline void probe_refresh(world *w, const soft_frame *f)
 {
     near_refresh(&w->soft.near, &w->soft.view, f);

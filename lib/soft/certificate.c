@@ -1019,7 +1019,7 @@ static void part_clash(const frame_search *l, const facet_clash *x)
     }
 }
 
-// (A body that yields is stopped by what it meets, and does not take it along.)
+// Does it yield?  (Such a body is stopped by what it cuts, and does not take it along.)
 static bool can_be_pushed(const soft_frame *f, int b)
 {
     int whole = body_whole(&f->body[b], b);

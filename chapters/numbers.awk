@@ -5,8 +5,9 @@
 # a table's name; without one, 0), the row that opens with 64, the column cost.
 # {{02-rope #; words}} is the number after these words in the file's comments,
 # and {{02-rope #; words .. more words}} that of the comment with both, in turn.
-# A last field says how: 3 (digits, else 2), "%", "3 %", or "3 mm", with the unit
-# behind it: a table may say 0.12 m in one row and 98 mm in the next.  {{a / b; 2}}
+# A last field says how: 3 (digits, else 2), "%", "3 %", "count" (a whole number,
+# all its digits), or "3 mm", with the unit behind it: a table may say 0.12 m in
+# one row and 98 mm in the next.  {{a / b; 2}}
 # is the quotient of two such cells.  Fields may hold no ";".
 # {{claim: a < b}} prints nothing and fails where it is false: a and b are such
 # cells, quotients or bare numbers, with < or > between them.
@@ -140,6 +141,11 @@ function say_number(inside,    form, side, x, y, less, unit) {
         if (x == "") return ""
         if (!scale) return none("{{" inside "}} has no unit to become " unit)
         return digits(x * scale / scale_of("1 " unit), form ? form : 2) " " unit
+    }
+    if (sub(/; *count$/, "", inside)) {
+        x = value_of(inside)
+        if (x != "" && x != int(x)) return none("{{" inside "}} is no count: " x)
+        return x == "" ? "" : digits(x, length(x))
     }
     if (match(inside, /; *([0-9]+ *%?|%)$/)) { form = substr(inside, RSTART + 1); inside = substr(inside, 1, RSTART - 1) }
     x = value_of(inside)

@@ -797,6 +797,9 @@ $(BUILD)/tests/check_real4: $(BUILD)/tests/real4_plain.o $(BUILD)/tests/real4_wi
 $(BUILD)/tests/check_solver $(patsubst %,$(BUILD)/figures/%,$(filter 13-%,$(FIGURES))): \
   $(BUILD)/tests/plain_solver.o
 
+# The plain impact, which judges those in time.
+$(BUILD)/tests/check_restitution $(BUILD)/figures/15-impact: $(BUILD)/tests/plain_impact.o
+
 # And the plain strand.
 $(BUILD)/tests/check_line $(BUILD)/figures/12-hold: $(BUILD)/tests/plain_strand.o
 

@@ -868,6 +868,8 @@ $(BUILD)/drape-links: $(BUILD)/tests/no_strings.o
 $(BUILD)/drape $(BUILD)/drape-apart $(BUILD)/drape-links: $(BUILD)/tests/drape.o $(HARD) $(ALL)
 	$(call link,-lm)
 $(BUILD)/tests/check_certificate: $(BUILD)/tests/crossings.o
+# The plain proof, which judges the certificate.
+$(BUILD)/tests/check_certificate $(BUILD)/figures/16-plain: $(BUILD)/tests/plain_proof.o
 $(BUILD)/tests/check_given: $(BUILD)/tests/crossings.o
 # Pairs of hard families against exact truth: many, and a few as a test.
 EXACTLY := $(addprefix $(BUILD)/tests/,exact_judge.o made_pairs.o truth.o)

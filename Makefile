@@ -797,6 +797,8 @@ $(BUILD)/tests/check_real4: $(BUILD)/tests/real4_plain.o $(BUILD)/tests/real4_wi
 $(BUILD)/tests/check_solver $(patsubst %,$(BUILD)/figures/%,$(filter 13-%,$(FIGURES))): \
   $(BUILD)/tests/plain_solver.o
 
+# The plain way out of a floor.
+$(BUILD)/tests/check_seams $(BUILD)/figures/11-seams: $(BUILD)/tests/plain_seam.o
 # The plain impact, which judges those in time.
 $(BUILD)/tests/check_restitution $(BUILD)/figures/15-impact: $(BUILD)/tests/plain_impact.o
 

@@ -797,6 +797,11 @@ $(BUILD)/tests/check_real4: $(BUILD)/tests/real4_plain.o $(BUILD)/tests/real4_wi
 $(BUILD)/tests/check_solver $(patsubst %,$(BUILD)/figures/%,$(filter 13-%,$(FIGURES))): \
   $(BUILD)/tests/plain_solver.o
 
+# The plain way out of a floor.
+$(BUILD)/tests/check_seams $(BUILD)/figures/11-seams: $(BUILD)/tests/plain_seam.o
+# The plain impact, which judges those in time.
+$(BUILD)/tests/check_restitution $(BUILD)/figures/15-impact: $(BUILD)/tests/plain_impact.o
+
 # And the plain strand.
 $(BUILD)/tests/check_line $(BUILD)/figures/12-hold: $(BUILD)/tests/plain_strand.o
 
@@ -865,6 +870,8 @@ $(BUILD)/drape-links: $(BUILD)/tests/no_strings.o
 $(BUILD)/drape $(BUILD)/drape-apart $(BUILD)/drape-links: $(BUILD)/tests/drape.o $(HARD) $(ALL)
 	$(call link,-lm)
 $(BUILD)/tests/check_certificate: $(BUILD)/tests/crossings.o
+# The plain proof, which judges the certificate.
+$(BUILD)/tests/check_certificate $(BUILD)/figures/16-plain: $(BUILD)/tests/plain_proof.o
 $(BUILD)/tests/check_given: $(BUILD)/tests/crossings.o
 # Pairs of hard families against exact truth: many, and a few as a test.
 EXACTLY := $(addprefix $(BUILD)/tests/,exact_judge.o made_pairs.o truth.o)

@@ -4,7 +4,7 @@
 # prints which files are the book's code; each of their lines is in it once.
 
 code="lib/tumble.h lib/*/*.h lib/*/*.c tests/support/oracle.[hc] tests/support/poses.[hc]
-      chapters/little/*.c tests/contact/plain_solver.[hc] tests/soft/plain_strand.[hc]
+      chapters/little/*.c tests/contact/plain_*.[hc] tests/soft/plain_*.[hc]
       figures/manual/*.c figures/manual/*.py"
 [ "$1" ] || { echo $code; exit; }
 

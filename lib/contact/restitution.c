@@ -201,6 +201,8 @@ static real closing_speed(const impact *x)
 //<
 
 //> restitution-pair
+//>   The two bodies as they stand and go at any time within the substep, and the
+//>   time at which they first touch.
 // All but the arms, and what touches.
 static void begin_impact(impact *x, const impact_solver *s, const contact *c)
 {

@@ -7,6 +7,8 @@
 #include <string.h>
 
 #include "expect.h"
+#include "plain_seam.h"
+#include "random.h"
 #include "seams.h"
 #include "suite.h"
 
@@ -471,6 +473,91 @@ START_TEST(contact_that_was_not_asked_stays_as_it_is)
 }
 END_TEST
 
+// --- the plain form ----------------------------------------------------------
+
+enum { PIECES = 3 };
+
+// The cube stands anyhow on a row of tiles: it has turned about the vertical, and
+// sunk by a share of what bears.  Of every other one a corner is just past a seam, by
+// no more than it has sunk; the last tile may be lower.
+static void lay_cube(unsigned long long *seed, plain_piece piece[PIECES])
+{
+    real turn = random_between(seed, 0, 1.5), flush = CONTACT_GIVES * cube4.reach;
+    real sunk = random_between(seed, 0.05, 0.5) * flush;
+    real past = random_below(seed, 2) ? random_fraction(seed) * sunk
+                                      : random_between(seed, 0, 1);
+    real middle = (cos(turn) + sin(turn)) / 2 - 1 - past;
+    real lower = random_below(seed, 2) ? 0 : random_fraction(seed);
+    particle p[FOUR];
+    for (int k = 0; k < FOUR; k++) {
+        vec3 x = cube4.at[k];
+        p[k].position = vec3_make(x.x * cos(turn) + x.z * sin(turn), x.y + 0.5 - sunk,
+                                  x.z * cos(turn) - x.x * sin(turn));
+    }
+    placed[A] = now[A].frame = rigid4_frame(p);
+    rigid4_ride(&cube4, &placed[A], vertex + 8 * A, 8);
+    for (int k = 0; k < PIECES; k++) {
+        vec3 at = { middle + 2 * (k - 1), -0.5 - (k == 2 ? lower : 0), 0 };
+        piece[k] = plain_box(at, vec3_make(1, 0.5, 2));
+        add(true, at);
+    }
+}
+
+// What the query and the manifold find with piece b.
+static contact *find_contact(int b)
+{
+    int k = cache.pairs.count;
+    collider x = cache_collider(&cache, &frame, A), y = cache_collider(&cache, &frame, b);
+    query_cache none = { .count = 0 };
+    query_result q = query_nearest(&x, &y, 0.02, &none);
+    if (!q.near) return NULL;
+    manifold m = manifold_find(&x, &y, &q, 0.02, 0);
+    contact *c = found(b, q.normal, 0, NULL, NULL);
+    cache_take(c, &m, &frame, false);
+    pair[k].count = (signed char)c->count;
+    return c;
+}
+
+// All corners of the cube that are in piece b leave it by the side along which the
+// contact was found.
+static int compare(const plain_piece piece[PIECES], int b, const contact *c)
+{
+    int compared = 0;
+    for (int v = 0; v < 8; v++) {
+        vec3 p = vertex[8 * A + v];
+        if (!plain_holds(&piece[b], p)) continue;
+        int k = plain_way_out(piece, PIECES, b, p, 1e-6);
+        ck_assert(k >= 0 && c && c->count > 0);
+        near_vec3(c->normal, piece[b].side[k].normal, ROUNDING);
+        compared++;
+    }
+    return compared;
+}
+
+// Rejects, in either form: a side between two tiles that is met; a tile that is lower
+// and hides the one before it.
+START_TEST(cube_on_any_tiles_is_met_as_the_plain_form_says)
+{
+    unsigned long long seed = 5;
+    int sideways = 0, compared = 0;
+    for (int round = 0; round < 3000; round++) {
+        plain_piece piece[PIECES];
+        contact *c[PIECES];
+        bodies = 1;
+        cache.pairs.count = 0;
+        lay_cube(&seed, piece);
+        for (int b = 0; b < PIECES; b++) {
+            c[b] = find_contact(1 + b);
+            sideways += c[b] && fabs(c[b]->normal.y) < 0.5;
+        }
+        mend();
+        for (int b = 0; b < PIECES; b++) compared += compare(piece, b, c[b]);
+    }
+    ck_assert_int_ge(sideways, 500);
+    ck_assert_int_ge(compared, 9000);
+}
+END_TEST
+
 int main(void)
 {
     const TTest *const tests[] = {
@@ -490,6 +577,7 @@ int main(void)
         normal_of_a_floor_is_that_of_its_face,
         floor_does_not_move_or_is_large,
         contact_that_was_not_asked_stays_as_it_is,
+        cube_on_any_tiles_is_met_as_the_plain_form_says,
         NULL
     };
     return suite_run((suite){ .name = "seams", .tests = tests,

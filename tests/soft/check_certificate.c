@@ -7,6 +7,7 @@
 
 #include "certificate.h"
 #include "crossings.h"
+#include "plain_proof.h"
 #include "random.h"
 #include "suite.h"
 
@@ -298,6 +299,72 @@ START_TEST(no_patch_of_sheared_cloth_is_taken_for_spread_out)
         for (int k = 0; k < count; k++)
             if (told[k].kind == WITNESS_SPREAD) replay_spread(&told[k], end);
     }
+}
+END_TEST
+
+// --- the plain form ----------------------------------------------------------
+
+static int face_of[FACES][3];
+static vec3 from[ALL], asked[ALL], by_plain[ALL];
+
+static plain_cloth plain_form(void)
+{
+    for (int k = 0; k < FACES; k++) corners_of(k, face_of[k]);
+    for (int v = 0; v < ALL; v++) by_plain[v] = asked[v] = at[v].position;
+    return (plain_cloth){ ALL, FACES, (const int (*)[3])face_of, from, by_plain };
+}
+
+// Of the straight ways from `from` to `end`, in this many places.
+static long crossing_on_the_way(const vec3 *end)
+{
+    enum { PLACES = 16 };
+    long sum = 0;
+    for (int k = 1; k <= PLACES; k++) {
+        for (int v = 0; v < ALL; v++)
+            at[v].position = vec3_add_scaled(from[v], (real)k / PLACES,
+                                             vec3_sub(end[v], from[v]));
+        sum += crossing_now();
+    }
+    return sum;
+}
+
+// One sheet under the other: every vertex a little, while all fall by fifty
+// spacings, or what asks for crossings.
+static void ask(int round)
+{
+    unsigned long long seed = (unsigned long long)round + 400;
+    lay(&seed, SPACING * random_between(&seed, 0.05, 1) * (round % 2 ? 1 : -1));
+    for (int v = 0; v < ALL; v++) from[v] = at[v].position;
+    begin();
+    if (round % 4) demand(&seed);
+    for (int v = 0; v < ALL && round % 4 == 0; v++)
+        move(v, vec3_add(vec3_make(0, -50 * SPACING, 0),
+                         vec3_scale(0.005 * SPACING, any(&seed))));
+}
+
+// Rejects, in either form: triangles that are apart at both ends, and cross on the
+// way; edges that are not asked; a certificate that finds no plane where there are
+// planes for all corners, edges and triangles.
+START_TEST(plain_form_and_certificate_let_nothing_cross_on_the_way)
+{
+    int calm = 0, busy = 0;
+    static vec3 by_certificate[ALL];
+    for (int round = 0; round < 40; round++) {
+        ask(round);
+        plain_cloth c = plain_form();
+        int halved = plain_proof(&c);
+        certificate_end(&proof, &frame, NULL, NULL);
+        for (int v = 0; v < ALL; v++) by_certificate[v] = at[v].position;
+        busy += crossing_on_the_way(asked) > 0;
+        ck_assert_int_eq(crossing_on_the_way(by_plain), 0);
+        ck_assert_int_eq(crossing_on_the_way(by_certificate), 0);
+        if (halved > 0) continue;
+        calm++;
+        ck_assert_int_eq(proof.prevented, 0);
+        ck_assert(memcmp(by_certificate, asked, sizeof asked) == 0);
+    }
+    ck_assert_int_ge(calm, 10);
+    ck_assert_int_ge(busy, 20);
 }
 END_TEST
 
@@ -686,6 +753,7 @@ int main(void)
         what_is_worn_to_pieces_is_all_found_again,
         a_patch_loses_room_by_its_own_ways_only,
         what_asks_for_too_much_goes_a_part_of_it_and_keeps_its_momentum,
+        plain_form_and_certificate_let_nothing_cross_on_the_way,
         NULL
     };
     return suite_run((suite){

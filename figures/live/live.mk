@@ -34,6 +34,8 @@ define LIVES
 13/pile
 13/carry
 13/top
+13/relax
+13/sag
 14/crowd
 14/prune
 15/bullet
@@ -50,6 +52,8 @@ endef
 # What a figure takes from other folders, beside the library.
 WITH_gjk := rules/04-distance-1.o live/plane.o
 $(foreach f,dot epa climb shares nearest slab regions clip,$(eval WITH_$f := live/plane.o))
+WITH_relax := tests/plain_solver.o
+WITH_sag := tests/plain_solver.o
 WITH_hard := live/live_world.o live/view.o tests/hard_set.o tests/hard_drape_set.o
 WITH_sandbox := live/view.o $(SCENES:%.c=figures/%.o)
 WITH_drape := figures/runner.o tests/poses.o

@@ -29,6 +29,7 @@ define LIVES
 10/nearest
 11/slab
 11/clip
+11/keep
 12/strand
 12/thomas
 13/pile
@@ -51,7 +52,7 @@ define LIVES
 endef
 # What a figure takes from other folders, beside the library.
 WITH_gjk := rules/04-distance-1.o live/plane.o
-$(foreach f,dot epa climb shares nearest slab regions clip,$(eval WITH_$f := live/plane.o))
+$(foreach f,dot epa climb shares nearest slab regions clip keep,$(eval WITH_$f := live/plane.o))
 WITH_relax := tests/plain_solver.o
 WITH_sag := tests/plain_solver.o
 WITH_hard := live/live_world.o live/view.o tests/hard_set.o tests/hard_drape_set.o

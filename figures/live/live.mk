@@ -32,6 +32,7 @@ define LIVES
 11/keep
 12/strand
 12/thomas
+12/bend
 13/pile
 13/carry
 13/top

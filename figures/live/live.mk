@@ -45,6 +45,7 @@ define LIVES
 16/fabric
 16/shadow
 17/chain
+17/front
 18/energy
 18/canopy
 19/topple

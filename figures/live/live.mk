@@ -40,6 +40,7 @@ define LIVES
 13/sag
 14/crowd
 14/prune
+14/margin
 15/bullet
 15/nearing
 16/fabric

@@ -27,6 +27,7 @@ define LIVES
 09/room
 09/drape
 10/nearest
+10/tin
 11/slab
 11/clip
 11/keep
@@ -56,7 +57,7 @@ define LIVES
 endef
 # What a figure takes from other folders, beside the library.
 WITH_gjk := rules/04-distance-1.o live/plane.o
-$(foreach f,dot epa climb shares nearest slab regions clip keep shadow,$(eval WITH_$f := live/plane.o))
+$(foreach f,dot epa climb shares nearest slab regions clip keep shadow tin,$(eval WITH_$f := live/plane.o))
 WITH_relax := tests/plain_solver.o
 WITH_sag := tests/plain_solver.o
 WITH_hard := live/live_world.o live/view.o tests/hard_set.o tests/hard_drape_set.o

@@ -44,6 +44,7 @@ define LIVES
 14/margin
 15/bullet
 15/nearing
+15/needle
 16/fabric
 16/shadow
 17/chain
@@ -57,7 +58,7 @@ define LIVES
 endef
 # What a figure takes from other folders, beside the library.
 WITH_gjk := rules/04-distance-1.o live/plane.o
-$(foreach f,dot epa climb shares nearest slab regions clip keep shadow tin,$(eval WITH_$f := live/plane.o))
+$(foreach f,dot epa climb shares nearest slab regions clip keep shadow tin needle,$(eval WITH_$f := live/plane.o))
 WITH_relax := tests/plain_solver.o
 WITH_sag := tests/plain_solver.o
 WITH_hard := live/live_world.o live/view.o tests/hard_set.o tests/hard_drape_set.o

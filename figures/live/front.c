@@ -220,7 +220,7 @@ const live_figure figure = {
     .name = "front",
     .says = "Bodies that hang together, whose joints are solved one after the other; beside them the blocks by which those that wait answer each other",
     .code = "lib/joint/linkage.c solve_inward",
-    .pane = { [DRAWING] = { -1.6, -1.5, 3.2, 3 }, [MATRIX] = { -1.6, -1.5, 3.2, 3 } },
+    .pane = { [DRAWING] = { -1.9, -1.5, 3.8, 3 }, [MATRIX] = { -1.9, -1.5, 3.8, 3 } },
     .dial = { [FORM] = { "joined as a", NULL, 0, 3, 1, 2, "chain|tree|ring|net", true } },
     .button = { "Next joint" },
     .begin = begin, .step = step, .draw = draw, .hash = hash, .press = press,

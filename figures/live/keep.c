@@ -121,7 +121,7 @@ static void draw_beside(void)
 {
     live_pane(BESIDE);
     vec3 out = vec3_unit(low_side), end[2];
-    live_line(LIVE_QUIET, (vec3[]){ { -1.5, 0, 0 }, { 1.5, 0, 0 } }, 2);
+    live_line(LIVE_QUIET, (vec3[]){ { -1.4, 0, 0 }, { 1.4, 0, 0 } }, 2);
     for (int k = 0; k < CORNERS; k++) {
         real x = vec3_dot(out, met.at[k]);
         bool is_kept = false;
@@ -131,7 +131,7 @@ static void draw_beside(void)
     end[0] = vec3_make(-RADIUS, TIMES * gap_at(vec3_scale(-RADIUS, out)), 0);
     end[1] = vec3_make(RADIUS, 0, 0);
     live_line(LIVE_BLUE, end, 2);
-    live_label(LIVE_QUIET, vec3_make(-1.5, 1.33, 0), "from the side, 8 times as high");
+    live_label(LIVE_QUIET, vec3_make(-1.4, -0.32, 0), "from the side, 8 times as high");
 }
 
 static void draw(void)
@@ -151,7 +151,7 @@ const live_figure figure = {
     .name = "keep",
     .says = "A coin seen from above and from the side; of its corners four are kept, one after the other, and the others are as large as they could come deep",
     .code = "lib/query/manifold.c most_exposed",
-    .pane = { [ABOVE] = { -1.6, -1.5, 3.2, 3 }, [BESIDE] = { -1.6, -1.5, 3.2, 3 } },
+    .pane = { [ABOVE] = { -1.6, -1.5, 3.2, 3 }, [BESIDE] = { -1.5, -0.45, 3, 1.7 } },
     .dial = { [LEAN] = { "the coin leans by", "°", 0, 4, 0.1, 1, NULL, true } },
     .begin = begin, .step = step, .draw = draw, .hash = hash, .move = move,
 };

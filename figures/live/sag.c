@@ -74,12 +74,12 @@ static void draw_pile(int k)
 
 static void draw(void)
 {
-    vec3 ground[4] = { { -9, -1.2, 0 }, { 9, -1.2, 0 }, { 9, 0, 0 }, { -9, 0, 0 } };
+    vec3 ground[4] = { { -9, -1.5, 0 }, { 9, -1.5, 0 }, { 9, 0, 0 }, { -9, 0, 0 } };
     live_band(LIVE_GREY, ground, 4);
     live_line(LIVE_QUIET, &ground[2], 2);
     live_dashes(LIVE_QUIET, (vec3[]){ { -4.4, HIGH, 0 }, { 4.4, HIGH, 0 } }, 2);
     for (int k = 0; k < PILES; k++) draw_pile(k);
-    live_label(LIVE_QUIET, vec3_make(-6.4, HIGH + 0.35, 0), "substeps × passes:");
+    live_label(LIVE_QUIET, vec3_make(-6.4, -0.72, 0), "substeps a frame × passes a substep");
 }
 
 static unsigned long long hash(void)
@@ -92,7 +92,7 @@ static unsigned long long hash(void)
 const live_figure figure = {
     .name = "sag",
     .says = "Three piles of cubes, seen from the side, that sink into each other the more the fewer substeps they have",
-    .pane = { { -6.6, -0.6, 13.2, 7.5 } },
+    .pane = { { -6.6, -1, 13.2, 7.8 } },
     .dial = { [PASSES] = { "passes a frame", NULL, 0, 2, 1, 1, "4|8|16", true } },
     .button = { "Hit them from above" },
     .begin = begin, .step = step, .measure = measure, .draw = draw, .hash = hash, .press = press,

@@ -60,7 +60,7 @@ static void tower_begin(tower *t, int substeps, int iterations)
         .friction = 0.5, .hertz = 1e6, .damping = 10, .max_rate = 3 };
 }
 
-static inline void tower_free(tower *t)
+static void tower_free(tower *t)
 {
     for (int b = 0; b < t->cubes; b++) rigid4_free(&t->rigid[b]);
 }
@@ -79,7 +79,7 @@ static void tower_find(tower *t)
     }
 }
 
-static inline void tower_forget(tower *t)
+static void tower_forget(tower *t)
 {
     for (int b = 0; b < t->cubes; b++) {
         contact *c = &t->contact[b];
@@ -98,7 +98,7 @@ static void tower_put(tower *t)
     }
 }
 
-static inline void tower_frame(tower *t)
+static void tower_frame(tower *t)
 {
     tower_find(t);
     plain_solver s = { &t->frame, t->list, t->cubes, t->gap, t->velocity,
@@ -117,7 +117,7 @@ static inline void tower_frame(tower *t)
 }
 
 // m, by how much the highest cube lies lower than it should.
-static inline real tower_sag(const tower *t)
+static real tower_sag(const tower *t)
 {
     return t->cubes - 0.5 - rigid4_frame(t->p[t->cubes - 1]).center.y;
 }

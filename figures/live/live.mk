@@ -27,19 +27,28 @@ define LIVES
 09/room
 09/drape
 10/nearest
+10/tin
 11/slab
 11/clip
+11/keep
 12/strand
 12/thomas
+12/bend
 13/pile
 13/carry
 13/top
+13/relax
+13/sag
 14/crowd
 14/prune
+14/margin
 15/bullet
 15/nearing
+15/needle
 16/fabric
+16/shadow
 17/chain
+17/front
 18/energy
 18/canopy
 19/topple
@@ -49,7 +58,9 @@ define LIVES
 endef
 # What a figure takes from other folders, beside the library.
 WITH_gjk := rules/04-distance-1.o live/plane.o
-$(foreach f,dot epa climb shares nearest slab regions clip,$(eval WITH_$f := live/plane.o))
+$(foreach f,dot epa climb shares nearest slab regions clip keep shadow tin needle,$(eval WITH_$f := live/plane.o))
+WITH_relax := tests/plain_solver.o
+WITH_sag := tests/plain_solver.o
 WITH_hard := live/live_world.o live/view.o tests/hard_set.o tests/hard_drape_set.o
 WITH_sandbox := live/view.o $(SCENES:%.c=figures/%.o)
 WITH_drape := figures/runner.o tests/poses.o

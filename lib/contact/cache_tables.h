@@ -47,7 +47,7 @@ typedef struct {
     int awakes;
     const pair_list *list;
     bool is_new_list;
-    const plane *plane;         // those that walls of the list name
+    const plane *plane;         // those that the list names
     real stay;          // of a body's radius; see world_options
     bool has_parts;     // of surfaces: a body may lie on very many
     bool has_pieces;    // some bodies ride on others
@@ -61,7 +61,7 @@ typedef struct {
 // What is kept of a pair, or of a body and a plane: small, for it is read in
 // every frame.
 typedef struct {
-    int  key[2];        // two bodies, or a body and a plane's number
+    int  key[2];        // two bodies, or a body and a plane (contact_with_plane)
     int  entry;         // in the table of contacts; -1: none
     int  seen[2];       // of which placing of each body it was found; -1: it is
                         // good for this frame only
@@ -90,8 +90,8 @@ typedef struct {
 } cache_list;
 
 typedef struct {
-    cache_list pairs, walls;    // of the pairs that are listed
-    cache_list still_pairs, static_planes;      // of which nothing is loose
+    cache_list pairs;           // of those that are listed,
+    cache_list still;           // and of those of which nothing is loose
     cache_entry *entry;
     contact     *was;           // [entries] what those on a floor carried before
                                 // they were asked again in this frame
@@ -115,7 +115,7 @@ typedef struct {
 
     // Whose contacts are which, see seams.h.
     int *first, *last;          // [room] in met, of what is awake
-    int *met;                   // [met_capacity] pair k, or ~k: wall k
+    int *met;                   // [met_capacity] of pairs
     int met_capacity;
 
     // The contacts of this frame, and how near their points may come in it.

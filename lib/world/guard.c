@@ -505,7 +505,7 @@ static bool stop_all(world *w)
     for (int k = 0; k < t->cache.pairs.count; k++) {
         const cache_pair *p = &t->cache.pairs.pair[k];
         int a = p->key[0], b = p->key[1];
-        if (chooses && !(p->is_active && p->count > 0)) continue;
+        if (b < 0 || (chooses && !(p->is_active && p->count > 0))) continue;
         bool is_a = t->now[a].radius < t->now[b].radius;
         int small = is_a ? a : b, large = is_a ? b : a;
         some |= may_pass(w, a, b, small) && stop_passing(t, small, large);

@@ -398,10 +398,14 @@ static bool is_past(const world *w, int b, sphere ball)
 
 //> step-pairs
 //>   Chapter 14 finds the pairs, and keeps them while the balls hold.
-static bool may_pair(const world *w, int a, int b)
+// (A kinematic body goes through planes.)
+static bool may_pair(const void *of, const int pair[2])
 {
-    const body *x = &w->body[a], *y = &w->body[b];
+    const world *w = of;
+    int a = pair[0], b = pair[1];
+    const body *x = &w->body[a], *y = &w->body[b < 0 ? a : b];
     const sphere *listed = w->rigid.pairs.listed;
+    if (b < 0) return !x->is_kinematic && !body_meets_none(x);
     return (!w->is_choosy || body_meets(x, y))
         && !(x->is_part && is_past(w, a, listed[b]))
         && !(y->is_part && is_past(w, b, listed[a]))
@@ -412,16 +416,8 @@ static bool may_pair(const world *w, int a, int b)
 // that bodies do not reach.
 static void drop_pairs(world *w)
 {
-    pair_list *l = &w->rigid.pairs;
-    int kept = 0;
     linkage_find_apart(&w->joints);
-    for (int k = 0; k < l->count; k++) {
-        int a = l->pair[k][0], b = l->pair[k][1];
-        if (!may_pair(w, a, b)) continue;
-        l->pair[kept][0] = a;
-        l->pair[kept++][1] = b;
-    }
-    l->count = kept;
+    pair_list_filter(&w->rigid.pairs, may_pair, w);
 }
 
 typedef bool pair_finding(pair_list *l, const pair_query *q, int *lost);
@@ -435,7 +431,6 @@ static bool list_pairs(world *w, pair_finding *ask)
     bool is_new = ask(&t->pairs, &q, &lost);
     w->report.dropped += lost;
     if (is_new) drop_pairs(w);
-    if (is_new) drive_drop_planes(w);
     return is_new;
 }
 

@@ -33,8 +33,7 @@ static rigid_frame middle[BODIES];
 static prediction ahead[BODIES];
 static char moves[BODIES];
 static int number[BODIES];
-static int pair[BODIES * BODIES][2];
-static int body_wall[6 * BODIES][2];
+static int pair[BODIES * (BODIES + 6)][2];
 static pair_list list;
 static plane wall[6];
 static cache_frame frame;
@@ -131,12 +130,13 @@ static void add_floor(void)
 // Every body and every plane.
 static void list_plane_pairs(void)
 {
-    list.wall = body_wall;
+    list.pair = pair;
     list.walls = 0;
     for (int b = 0; b < bodies; b++)
         for (int k = 0; k < planes; k++) {
-            body_wall[list.walls][0] = b;
-            body_wall[list.walls++][1] = k;
+            int *wall_pair = pair[list.count + list.walls++];
+            wall_pair[0] = b;
+            wall_pair[1] = contact_with_plane(k);
         }
 }
 

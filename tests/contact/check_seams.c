@@ -31,7 +31,7 @@ static int number[BODIES];
 static plane ground;
 static cache_frame frame;
 static contact_cache cache;
-static cache_pair pair[PAIRS], wall[1];
+static cache_pair pair[PAIRS + 1];
 static cache_entry entry[PAIRS + 1];
 static contact was[PAIRS + 1];
 static rigid_frame placed[BODIES];
@@ -66,7 +66,6 @@ static void set_up(void)
     bodies = 0;
     cache = (contact_cache){
         .pairs = { .pair = pair },
-        .walls = { .pair = wall },
         .entry = entry, .was = was, .placed = placed, .placing = placing,
         .vertex = vertex, .first = first, .last = end_of,
         .room = BODIES };
@@ -284,9 +283,9 @@ START_TEST(side_behind_a_plane_is_met_from_above)
     *on = (contact){ .a = A, .b = contact_with_plane(0), .piece_a = A,
                      .piece_b = contact_with_plane(0), .count = 1,
                      .normal = UP };
-    wall[0] = (cache_pair){ .key = { A, 0 }, .entry = PAIRS, .is_asked = true,
-                            .count = 1 };
-    cache.walls.count = 1;
+    pair[cache.pairs.count++] = (cache_pair){
+        .key = { A, contact_with_plane(0) }, .entry = PAIRS, .is_asked = true,
+        .count = 1 };
     mend();
     ck_assert(c->count == 0 || c->normal.y > 0.99);
 }

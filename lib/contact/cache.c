@@ -285,18 +285,17 @@ static void place_body(contact_cache *c, const cache_frame *f, int b,
 {
     struct placing *p = &c->placing[b];
     const rigid_frame *now = &f->asked[b];
-    const cache_body *body = &f->body[b];
-    if (!body->rigid || (!f->moves[b] && p->number > 0)) return;
+    const body *x = &f->body[b];
+    if (!x->rigid || (!f->moves[b] && p->number > 0)) return;
     if (p->number > 0 && far_from(&c->placed[b], now,
                                      p->corners == c->updates)
                          <= stay_of(f, b)) return;
     c->placed[b] = *now;
     p->number++;
     p->since = in;
-    rigid4_ride(body->rigid, now, c->vertex + p->first,
-                body->shape->particles);
+    rigid4_ride(x->rigid, now, c->vertex + p->first, x->shape->particles);
     p->in_range = hull_in_range((hull){ c->vertex + p->first,
-                                        body->shape->particles });
+                                        x->shape->particles });
 }
 
 static void place_chunk(void *data, int item)
@@ -405,7 +404,7 @@ static swept_motion motion_ahead(const cache_frame *f, int b, real *apart)
 // As it stands now, in room of its own.
 static collider standing_body(const cache_frame *f, int b, vec3 *at)
 {
-    const cache_body *x = &f->body[b];
+    const body *x = &f->body[b];
     rigid4_ride(x->rigid, &f->now[b].frame, at, x->shape->particles);
     return (collider){ x->shape, at, false };
 }
@@ -545,9 +544,9 @@ static void query_plane_pair(contact_cache *c, const cache_frame *f, cache_pair 
 {
     int a = now->piece_a;
     plane wall = f->plane[-1 - now->piece_b];
-    collider body = cache_collider(c, f, a);
+    collider x = cache_collider(c, f, a);
     real slack = slack_of(c, f, a, -1), reach = pair_reach(f, a, -1);
-    manifold m = manifold_on_plane(&body, wall.normal, wall.offset,
+    manifold m = manifold_on_plane(&x, wall.normal, wall.offset,
                                    reach + 2 * slack, f->ahead[a].angle);
     cache_take(now, &m, f, false);
     date(c, f, p, a, -1, reach);

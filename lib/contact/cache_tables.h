@@ -1,5 +1,5 @@
 //> cache-head
-//>   This is what the cache reads of a body.
+//>   This is what the cache reads of bodies.
 // cache_tables.h - what is read of bodies to find contacts, and what is kept.
 //
 // Paper: section 6.1, where contacts do not outlive a step.  Book: chapter 18.
@@ -10,19 +10,11 @@
 
 #include "collide.h"
 #include "pairs.h"
+#include "placed.h"
 #include "solver.h"
 
-// What the narrow phase reads of a rigid body, beside its solver_body.
-typedef struct {
-    const shape *shape; // NULL: it is not rigid
-    const rigid4 *rigid;
-    real inner;         // m, its inner radius
-    int family;         // pieces of one body have one number; 0: it is alone
-    int rides;          // 1 + the body that it moves with; 0: it moves alone
-} cache_body;
-
 // m, its radius; of what is thin, twice as much as it is thick.
-static inline real cache_width(const cache_body *b, real radius)
+static inline real cache_width(const body *b, real radius)
 {
     return b->inner > 0 ? real_min(radius, 4 * b->inner) : radius;
 }
@@ -37,7 +29,7 @@ static inline vec3 cache_local(const rigid4 *r, const feature_point *f)
 }
 
 typedef struct {
-    const cache_body *body;     // [bodies]
+    const body *body;           // [bodies]
     const solver_body *now;     // [bodies]
     const rigid_frame *asked;   // [bodies] where it is asked: there, but turned
                                 // as it will be in the middle of the time

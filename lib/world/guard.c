@@ -309,7 +309,7 @@ static vec3 out_of_face(const vec3 *local, const int *v)
 }
 
 // A line is in a convex body behind all of its faces.
-static line_passage find_passage(const cache_body *b, vec3 from, vec3 to)
+static line_passage find_passage(const body *b, vec3 from, vec3 to)
 {
     const vec3 *local = b->rigid->local;
     line_passage x = { -1, 0, 1, -1 };
@@ -333,7 +333,7 @@ static line_passage find_passage(const cache_body *b, vec3 from, vec3 to)
 // A line that goes out beside where it came in has cut a corner.  In coordinates
 // of a frame the normals of two sides of a prism of three stand at 120 degrees,
 // however flat it is: what goes through it has cut none, whatever rounding says.
-static bool cuts_corner(const cache_body *b, const line_passage *x)
+static bool cuts_corner(const body *b, const line_passage *x)
 {
     const int *face = b->shape->face;
     if (x->exit < 0) return false;
@@ -353,7 +353,7 @@ typedef struct {
 static lost_side side_of(const rigid_tables *t, int large, int face,
                          const rigid_frame *end, vec3 from, vec3 to, real high)
 {
-    const cache_body *b = &t->body[large];
+    const body *b = &t->body[large];
     vec3 at[3];
     for (int k = 0; k < 3; k++)
         at[k] = frame_point(end, b->rigid->local[b->shape->face[3 * face + k]]);

@@ -374,7 +374,7 @@ void world_set_filter(world *w, int b, unsigned group, unsigned mask)
 void world_set_family(world *w, int b, int family)
 {
     assert(b >= 0 && b < w->bodies && family >= 0);
-    w->rigid.body[b].family = family;
+    w->body[b].family = family;
 }
 //<
 

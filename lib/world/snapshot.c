@@ -274,16 +274,8 @@ static void bodies_store(world *w, store *s)
         STORE_FORGET(s, x->line);
         if (s->is_reading) find_body_shape(w, x);
     }
-    STORE_TABLE(s, w->rigid.body, w->bodies, w->room);
-    for (int b = 0; b < w->bodies && s->done.ok; b++) {
-        cache_body *x = &w->rigid.body[b];
-        const body *of = &w->body[b];
-        STORE_FORGET(s, x->shape);
-        STORE_FORGET(s, x->rigid);
-        if (s->is_reading && of->rigid)
-            *x = (cache_body){ of->shape, of->rigid, x->inner, x->family,
-                                 x->rides };
-    }
+    STORE_FORGET(s, w->rigid.body);
+    if (s->is_reading) w->rigid.body = w->body;
 }
 //<
 

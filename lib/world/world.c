@@ -420,7 +420,6 @@ static void free_shape(shape_entry *e)
 static bool grow_rigid(rigid_tables *t, int old, int room)
 {
     bool ok = true;
-    TABLE_GROW(ok, t->body, old, room);
 #define GROW(table) TABLE_GROW(ok, t->table, old, room);
     RIGID_TABLES(GROW, GROW, GROW)
 #undef GROW
@@ -444,6 +443,7 @@ static bool grow_tables(world *w, int bodies)
     bool ok = true;
     if (bodies <= w->room) return true;
     TABLE_GROW(ok, w->body, w->bodies, room);
+    w->rigid.body = w->body;
     ok = ok && grow_rigid(&w->rigid, w->bodies, room);
     if (ok) w->room = room;
     return ok;
@@ -485,8 +485,6 @@ static void start_body(world *w, int b)
     const body *x = &w->body[b];
     t->now[b] = (solver_body){ .radius = -1 };
     t->ball[b] = (sphere){ { 0, 0, 0 }, -1 };
-    int family = t->body[b].family;
-    t->body[b] = (cache_body){ NULL, NULL, 0, family, 0 };
     t->ahead[b] = (prediction){ .reach = 0 };
     t->reach[b] = 0;
     t->moves[b] = t->dynamic[b] = 0;
@@ -500,7 +498,6 @@ static void start_body(world *w, int b)
     w->is_still = t->is_weighed = false;
     if (body_is_soft(x)) return;
     t->dynamic[b] = !body_is_fixed(x);
-    t->body[b] = (cache_body){ x->shape, x->rigid, x->inner, family, x->rides };
     t->now[b].frame = rigid4_frame(w->pool.at + x->first);
     t->asked[b] = t->began[b] = t->now[b].frame;
     t->now[b].radius = SWELLS * x->rigid->reach;
@@ -612,7 +609,6 @@ static status enter_body(world *w, body x, int b)
     else               w->bodies++;
     w->shape[x.entry].bodies++;
     w->rigid.material[b] = material_of(w);
-    w->rigid.body[b].family = 0;
     w->rigid.drive[b] = (body_drive){ .velocity = { 0, 0, 0 } };
     w->softs += body_is_soft(&x);
     w->dynamic_bodies += !body_is_static(&x);
@@ -662,7 +658,7 @@ status world_add_part(world *w, const shape *s, vec3 x, int of, int *number)
     status done = put_body(w, s, where, true, number);
     if (!done.ok) return done;
     w->rigid.material[*number] = w->rigid.material[of];
-    w->rigid.body[*number].family = w->rigid.body[of].family;
+    w->body[*number].family = w->body[of].family;
     w->body[*number].group = w->body[of].group;
     w->body[*number].mask = w->body[of].mask;
     w->body[*number].is_part = true;
@@ -771,7 +767,7 @@ void world_free(world *w)
     rigid_tables *r = &w->rigid;
     for (int k = 0; k < w->shapes; k++) free_shape(&w->shape[k]);
     void *owned[] = { w->body, w->plane, w->wall, w->shape, w->inverse_mass,
-                      w->owner, r->body, r->velocity, r->moved, r->heard };
+                      w->owner, r->velocity, r->moved, r->heard };
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) free(owned[i]);
 #define FREE(table) free(r->table);
     RIGID_TABLES(FREE, FREE, FREE)

@@ -211,7 +211,7 @@ enum { RUNGS = 16 };    // tuned, rungs
 // move.  In `now` and its neighbours a deformable body is immovable, and has a
 // ball of negative radius.
 typedef struct {
-    cache_body  *body;      // [bodies]
+    const struct body *body;    // [bodies] the world's
     char        *dynamic;   // [bodies] rigid, and not static
     char        *moves;     // [bodies] and neither asleep nor kinematic and
                             // at rest
@@ -264,7 +264,7 @@ typedef struct {
                                         // it; < 0: they have no lines yet
 } rigid_tables;
 
-// All that have a place for each body, but for `body`: what a saved world keeps of
+// All that have a place for each body: what a saved world keeps of
 // them, what must be zeros where a frame begins, and what a step fills before it
 // reads it.
 #define RIGID_TABLES(KEPT, ZEROS, FILLED)                                     \

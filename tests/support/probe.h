@@ -113,7 +113,7 @@ static inline bool probe_is_dynamic(const world *w, int b)
 // Can it be asked where it touches?
 static inline bool probe_is_rigid(const world *w, int b)
 {
-    return w->rigid.body[b].rigid;
+    return w->body[b].rigid;
 }
 
 // m, how far its ball may move in this frame.

@@ -362,34 +362,17 @@ static status make_rigid(const shape *s, rigid4 **f)
     return done;
 }
 
-// Its number; or -1, and the first place that is free.
-static int find_shape(const world *w, const shape *s, int *place)
-{
-    *place = w->shapes;
-    for (int k = w->shapes - 1; k >= 0; k--) {
-        const shape_entry *e = &w->shape[k];
-        if (e->bodies == 0) *place = k;
-        else if (e->shape == s) return k;
-    }
-    return -1;
-}
-
-// That of a part is always new, and there may be many.
-static int free_entry(world *w)
-{
-    while (w->part_entry < w->shapes && w->shape[w->part_entry].bodies > 0)
-        w->part_entry++;
-    return w->part_entry;
-}
-
-// Enters shape s among those in use, if it is new; its number in *number.
+// Enters shape s among those in use, if it is new (that of a part always is, and
+// there may be many); its number in *number.
 static status enter_shape(world *w, const shape *s, bool is_part, int *number)
 {
-    int place = 0;
-    *number = -1;
-    if (is_part) place = free_entry(w);
-    else         *number = find_shape(w, s, &place);
-    if (*number >= 0) return status_ok();
+    for (int k = 0; k < w->shapes && !is_part; k++) {
+        *number = k;
+        if (w->shape[k].bodies > 0 && w->shape[k].shape == s) return status_ok();
+    }
+    while (w->free_entry < w->shapes && w->shape[w->free_entry].bodies > 0)
+        w->free_entry++;
+    int place = w->free_entry;
     if (!TABLE_ADD(w->shape, place, w->shape_room)) return status_out_of_memory();
     shape_entry entry = { .shape = s };
     status done = status_ok();
@@ -542,25 +525,20 @@ void world_renew(world *w, int b)
 
 //> world-add
 // A free place whose particles are enough, and as few as there are; or a new
-// one.
-static int find_place(const world *w, int particles)
+// one.  (A piece has no particles, and takes no place that has.)
+static int find_place(world *w, int particles)
 {
+    while (w->free_place < w->bodies && !body_is_gone(&w->body[w->free_place]))
+        w->free_place++;
     int best = w->bodies;
-    for (int b = 0; b < w->bodies && w->gone > 0; b++) {
+    for (int b = w->free_place; b < w->bodies && w->gone > 0; b++) {
         const body *x = &w->body[b];
-        if (!body_is_gone(x) || x->room < particles) continue;
+        if (!body_is_gone(x) || x->room < particles
+            || (particles == 0 && x->room > 0)) continue;
         if (best == w->bodies || x->room < w->body[best].room) best = b;
+        if (x->room == particles) break;
     }
     return best;
-}
-
-// The first one from b on that has so many: four for a part, none for a piece.
-static int first_place(const world *w, int b, int particles)
-{
-    if (w->gone == 0) return w->bodies;
-    while (b < w->bodies
-           && !(body_is_gone(&w->body[b]) && w->body[b].room == particles)) b++;
-    return b;
 }
 
 static body body_made(const world *w, int entry, const placement *where)
@@ -625,8 +603,7 @@ static status put_body(world *w, const shape *s, placement where, bool is_part,
     if (!done.ok) return done;
     body x = body_made(w, entry, &where);
     int n = body_particles(&x);
-    if (is_part) w->part_place = first_place(w, w->part_place, FOUR);
-    int b = is_part ? w->part_place : find_place(w, n);
+    int b = find_place(w, n);
     done = enter_body(w, x, b);
     if (!done.ok) return done;
     while (w->pool.count < w->body[b].first + n)
@@ -678,7 +655,7 @@ status world_add_piece(world *w, const shape *s, int of, int *number)
     status done = enter_shape(w, s, true, &entry);
     if (!done.ok) return done;
     body x = body_made(w, entry, &where), *whole = &w->body[of];
-    int b = first_place(w, 0, 0), next = whole->next;
+    int b = find_place(w, 0), next = whole->next;
     x.rides = of + 1;
     x.round = 0;
     x.next = next;
@@ -703,7 +680,7 @@ static void leave_shape(world *w, int entry)
 {
     if (--w->shape[entry].bodies > 0) return;
     free_shape(&w->shape[entry]);
-    w->part_entry = int_min(w->part_entry, entry);
+    w->free_entry = int_min(w->free_entry, entry);
 }
 
 static void leave_joints(world *w, int b)
@@ -740,7 +717,7 @@ static void leave(world *w, int b)
         w->inverse_mass[i] = 0;
     }
     w->gone++;
-    w->part_place = int_min(w->part_place, b);
+    w->free_place = int_min(w->free_place, b);
     start_body(w, b);
 }
 

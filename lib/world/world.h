@@ -287,8 +287,8 @@ typedef struct world {
     int  bodies;            // places of bodies,
     int  gone;              // and how many of them are free
     int  room;              // for so many there are tables
-    int  part_place, part_entry;    // none before that place is free for a part,
-                            // and none before that one for its shape
+    int  free_place, free_entry;    // no place of a body before that one is free,
+                            // and none of a shape
     int  planes, shapes, softs;     // places of planes; softs: deformable bodies
     int  plane_room, wall_room, shape_room;     // for so many there are tables
     struct body *body;

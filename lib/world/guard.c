@@ -85,6 +85,18 @@ static void sum_drives(world *w)
     }
 }
 
+// Of all that may touch.
+static real largest_restitution(const world *w, const solver_frame *f)
+{
+    const rigid_tables *t = &w->rigid;
+    real most = 0;
+    for (int k = 0; k < t->cache.actives; k++) {
+        const contact *c = t->cache.active[k];
+        most = real_max(solver_material(f, c->a, c->b).restitution, most);
+    }
+    return most;
+}
+
 // Contacts create no motion: beside what there is in an island, and what bends and
 // links have stored, only gravity does, what pushes from outside, motors and
 // springs, the speed at
@@ -103,7 +115,8 @@ void guard_begin(world *w, const solver_frame *f)
             add_soft_motion(budget_of(w, b), w, &w->body[b]);
     }
     real gravity = w->most_gravity * vec3_length(w->options.gravity);
-    real more = w->frame * gravity + (1 + f->restitution) * drive_fastest(w);
+    real driven = drive_fastest(w), more = w->frame * gravity;
+    if (driven > 0) more += (1 + largest_restitution(w, f)) * driven;
     for (int k = 0; k < t->awakes; k++) {
         island *i = &t->island[t->awake[k]];
         real most = sqrt(i->energy) + sqrt(i->loads) + i->drives

@@ -189,7 +189,6 @@ void world_step(world *w)
     real since = w->options.host.clock ? w->options.host.clock() : 0;
     w->report = (step_report){ .substeps = 0 };
     w->rigid.hears = 0;
-    world_weigh(w);
     ledger_open(w);
     sleep_begin(&w->sleep);
     join_wake(w);
@@ -406,10 +405,12 @@ static bool may_pair(const void *of, const int pair[2])
     const body *x = &w->body[a], *y = &w->body[b < 0 ? a : b];
     const sphere *listed = w->rigid.pairs.listed;
     if (b < 0) return !x->is_kinematic && !body_meets_none(x);
-    return (!w->is_choosy || body_meets(x, y))
+    return body_meets(x, y)
         && !(x->is_part && is_past(w, a, listed[b]))
         && !(y->is_part && is_past(w, b, listed[a]))
-        && !linkage_keeps_apart(&w->joints, body_whole(x, a), body_whole(y, b));
+        && (w->joints.aparts == 0
+            || !linkage_keeps_apart(&w->joints, body_whole(x, a),
+                                    body_whole(y, b)));
 }
 
 // A list without those that must not meet, that are joined, and parts of meshes
@@ -489,7 +490,7 @@ static solver_frame solver_frame_of(const world *w, int substeps)
         .material = w->rigid.material, .wall = w->wall,
         .hertz = o->hertz, .damping = DAMPING, .max_rate = PARTS_BY / o->dt,
         .joint_rate = JOINS_FASTER * PARTS_BY / o->dt,
-        .restitution = w->rigid.restitution, .gravity = o->gravity,
+        .gravity = o->gravity,
         .run = o->host.run };
 }
 
@@ -711,8 +712,8 @@ static void join_islands(world *w)
 static void observe(world *w)
 {
     const world_options *o = &w->options;
-    sleep_rule rule = { o->sleep_speed, o->time_to_sleep,
-                        vec3_length(o->gravity), o->dt, 0, 0 };
+    sleep_rule rule = { .speed = o->sleep_speed, .time = o->time_to_sleep,
+                        .dt = o->dt };
     for (int k = 0; k < w->rigid.awakes; k++) {
         int b = w->rigid.awake[k];
         const body *x = &w->body[b];
@@ -720,7 +721,7 @@ static void observe(world *w)
         real radius = x->rigid ? x->rigid->radius : x->shape->radius;
         rule.h = body_age(w, b);
         rule.lasts = w->rigid.island[w->rigid.island[b].parent].lasts;
-        if (w->is_uneven) rule.gravity = vec3_length(body_gravity(w, b));
+        rule.gravity = vec3_length(body_gravity(w, b));
         sleep_observe(&w->sleep, b, w->pool.at, x->first, body_particles(x),
                       radius, &rule);
     }

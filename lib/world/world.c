@@ -122,7 +122,6 @@ static void set_plane(world *w, int k, plane p)
 {
     w->plane[k] = p;
     w->wall[k] = material_of(w);
-    w->rigid.is_weighed = false;
     pair_list_renew(&w->rigid.pairs, -1);
     soft_doubt(&w->soft);
     for (int b = 0; b < w->bodies; b++) world_wake(w, b);
@@ -478,7 +477,7 @@ static void start_body(world *w, int b)
     sleep_forget(&w->sleep, b);
     assert(!w->sleep.asleep[b]);
     world_notice(w, b);
-    w->is_still = t->is_weighed = false;
+    w->is_still = false;
     if (body_is_soft(x)) return;
     t->dynamic[b] = !body_is_fixed(x);
     t->now[b].frame = rigid4_frame(w->pool.at + x->first);
@@ -498,21 +497,6 @@ void world_place(world *w, int b, const placement *where)
     }
     start_body(w, b);
     for (int k = x->next; k > 0; k = w->body[k - 1].next) world_renew(w, k - 1);
-}
-
-void world_weigh(world *w)
-{
-    rigid_tables *t = &w->rigid;
-    if (t->is_weighed) return;
-    t->is_weighed = true;
-    t->restitution = w->options.restitution;
-    for (int k = 0; k < w->planes; k++)
-        t->restitution = real_max(w->wall[k].restitution, t->restitution);
-    for (int b = 0; b < w->bodies; b++) {
-        if (!body_is_gone(&w->body[b]))
-            t->restitution = real_max(t->material[b].restitution,
-                                      t->restitution);
-    }
 }
 
 void world_renew(world *w, int b)
@@ -665,7 +649,7 @@ status world_add_piece(world *w, const shape *s, int of, int *number)
     whole->rides = of + 1;
     whole->round = 0;
     whole->next = b + 1;
-    w->is_choosy = w->has_pieces = true;
+    w->has_pieces = true;
     start_body(w, b);
     *number = b;
     return done;

@@ -244,8 +244,6 @@ typedef struct {
     bool is_loaded;         // some are not 0
     material    *material;  // [bodies] deformable ones, too
     body_drive  *drive;     // [bodies]
-    bool is_weighed;        // the next is that of the bodies there are
-    real restitution;       // the largest, also of the planes
     substep_choice *choice; // [bodies] of the island that it was in last
     island      *island;    // [bodies]
     char        *rung;      // [bodies]
@@ -305,10 +303,9 @@ typedef struct world {
                             // has been done to the world since then
     int  dynamic_bodies;    // neither static nor kinematic
     int  kinematic_bodies;
-    bool is_choosy;         // some bodies do not meet all others
     bool has_pieces;        // some bodies have had several
     real most_gravity;      // 1, the largest share of the world's gravity that
-    bool is_uneven;         // acts on a body; it is not the same for all
+                            // acts on a body
     bool has_substeps;      // options said how many
     rigid_tables rigid;
     linkage      joints;
@@ -430,8 +427,7 @@ static inline real rigid_since(const world *w, int b)
 // m/s^2, on rigid body b.
 static inline vec3 body_gravity(const world *w, int b)
 {
-    return w->is_uneven ? vec3_scale(w->body[b].gravity, w->options.gravity)
-                        : w->options.gravity;
+    return vec3_scale(w->body[b].gravity, w->options.gravity);
 }
 
 // Kinematic, and not at rest.
@@ -463,10 +459,6 @@ void world_place(world *w, int b, const placement *where);
 
 // A body is another than it was: it counts as new.
 void world_renew(world *w, int b);
-
-// Finds the most elastic body again, if one has come, gone or changed since.  A
-// step does so as it begins: n bodies are added in O(n).
-void world_weigh(world *w);
 
 // Body a comes near body b: if one of them sleeps and the other did not lie
 // still in the last frame, the sleeper wakes, in time to take its part of the

@@ -11,13 +11,6 @@
 #include "forget.h"
 #include "world.h"
 
-// The largest restitution; NAN while it has not been asked for since the last
-// body came or went.
-static inline real probe_restitution(const world *w)
-{
-    return w->rigid.is_weighed ? w->rigid.restitution : (real)NAN;
-}
-
 // --- Sleep -------------------------------------------------------------------
 
 static inline bool probe_sleeps(const world *w, int b)

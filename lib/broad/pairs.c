@@ -2,6 +2,7 @@
 //>   Who has left its larger ball? That takes one distance a body. The comparison
 //>   is again written with a *not*, so that a body at NaN is asked again.
 #include "pairs.h"
+#include "contact.h"
 #include "table.h"
 
 #include <stddef.h>
@@ -102,9 +103,9 @@ static int find_plane_pairs(pair_list *l, const pair_query *q)
             real height = vec3_dot(q->plane[k].normal, ball.center)
                         - q->plane[k].offset;
             if (height > ball.radius) continue;
-            if (n < l->plane_capacity) {
-                l->wall[n][0] = b;
-                l->wall[n][1] = k;
+            if (l->count + n < l->capacity) {
+                l->pair[l->count + n][0] = b;
+                l->pair[l->count + n][1] = contact_with_plane(k);
             }
             n++;
         }
@@ -112,13 +113,22 @@ static int find_plane_pairs(pair_list *l, const pair_query *q)
     return n;
 }
 
+// Room for so many, and half as many more.  Returns whether there is more than before.
+static bool make_pairs(pair_list *l, int need)
+{
+    int room = need + need / 2;
+    bool ok = true;
+    if (need <= l->capacity) return false;
+    TABLE_GROW(ok, l->pair, l->count, room);
+    if (ok) l->capacity = room;
+    return ok;
+}
+
 static void list_plane_pairs(pair_list *l, const pair_query *q, int *lost)
 {
     int walls = find_plane_pairs(l, q);
-    if (walls > l->plane_capacity
-        && TABLE_RENEW(l->wall, l->plane_capacity, walls))
-        walls = find_plane_pairs(l, q);
-    l->walls = int_min(walls, l->plane_capacity);
+    if (make_pairs(l, l->count + walls)) find_plane_pairs(l, q);
+    l->walls = int_min(walls, l->capacity - l->count);
     *lost += walls - l->walls;
     l->is_cut = *lost > 0;
     l->has_new = false;
@@ -148,16 +158,10 @@ static int find_fresh(pair_list *l, const pair_query *q)
     return n;
 }
 
-static void drop_stale_pairs(pair_list *l)
+static bool is_still_good(const void *list, const int pair[2])
 {
-    int kept = 0;
-    for (int k = 0; k < l->count; k++) {
-        int a = l->pair[k][0], b = l->pair[k][1];
-        if (l->is_new[a] || l->is_new[b]) continue;
-        l->pair[kept][0] = a;
-        l->pair[kept++][1] = b;
-    }
-    l->count = kept;
+    const pair_list *l = list;
+    return !l->is_new[pair[0]] && !l->is_new[pair[1]];
 }
 
 // Two sorted lists become one, from the end on.
@@ -176,18 +180,14 @@ static void merge(pair_list *l, int fresh)
 // stay.
 static void list_some(pair_list *l, const pair_query *q, int *lost)
 {
-    int n = find_fresh(l, q), room = l->capacity;
+    int n = find_fresh(l, q);
     if (n > l->fresh_capacity && TABLE_RENEW(l->fresh, l->fresh_capacity, n))
         n = find_fresh(l, q);
     int found = int_min(n, l->fresh_capacity);
     broad_order(l->fresh, found);
-    drop_stale_pairs(l);
-    bool ok = true;
-    if (l->count + found > room) {
-        room = l->count + found + found / 2;
-        TABLE_GROW(ok, l->pair, l->count, room);
-        if (ok) l->capacity = room;
-    }
+    l->walls = 0;               // they are all found again
+    pair_list_filter(l, is_still_good, l);
+    make_pairs(l, l->count + found);
     found = int_min(found, l->capacity - l->count);
     merge(l, found);
     *lost = n - found;
@@ -243,23 +243,17 @@ bool pair_list_wake(pair_list *l, const pair_query *q, int *lost)
     return true;
 }
 
+static bool is_loose_pair(const void *list, const int pair[2])
+{
+    return !pair_is_settled(list, pair);
+}
+
 void pair_list_part(pair_list *l)
 {
-    int n = 0, walls = 0, all = l->count;
+    int all = l->count;
     if (!l->is_whole) return;
-    for (int k = 0; k < all; k++) {
-        if (pair_is_settled(l, l->pair[k])) continue;
-        l->pair[n][0] = l->pair[k][0];
-        l->pair[n++][1] = l->pair[k][1];
-    }
-    for (int k = 0; k < l->walls; k++) {
-        if (l->is_settled[l->wall[k][0]]) continue;
-        l->wall[walls][0] = l->wall[k][0];
-        l->wall[walls++][1] = l->wall[k][1];
-    }
-    l->count = n;
-    l->parted = all - n;
-    l->walls = walls;
+    pair_list_filter(l, is_loose_pair, l);
+    l->parted = all - l->count;
     l->is_whole = false;
 }
 

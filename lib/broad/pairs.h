@@ -12,6 +12,8 @@
 #include "broad.h"
 #include "scene.h"
 
+#include <string.h>
+
 // What is asked: balls around bodies, and how far beyond them each may get in
 // this frame.
 typedef struct {
@@ -32,10 +34,10 @@ typedef struct {
 // settle, and are in no list after that.  The list is of the others, which are
 // *loose*.  When one that is settled wakes, all pairs are found again.
 typedef struct {
-    int  (*pair)[2];    // a < b, sorted by a, then by b
+    int  (*pair)[2];    // [count] a < b, sorted by a, then by b; behind these
     int  count, capacity;
-    int  (*wall)[2];    // what moves, and a plane's number; sorted likewise
-    int  walls, plane_capacity;
+    int  walls;         // what moves, and a plane (contact_with_plane), sorted by
+                        // the numbers of both
     long lists;         // how often they were found
     bool is_cut;        // some found no memory: the list does not hold
 
@@ -60,8 +62,7 @@ typedef struct {
 #define PAIR_TABLES(KEPT, ROOM, l)                                            \
     KEPT(listed, (l)->bodies, (l)->room) KEPT(is_new, (l)->bodies, (l)->room) \
     KEPT(is_settled, 0, (l)->room) ROOM(loose, 0, (l)->room)                  \
-    ROOM(pair, 0, (l)->capacity) ROOM(wall, 0, (l)->plane_capacity)            \
-    ROOM(fresh, 0, (l)->fresh_capacity)
+    ROOM(pair, 0, (l)->capacity) ROOM(fresh, 0, (l)->fresh_capacity)
 //<
 
 //> pairs-declare
@@ -88,7 +89,22 @@ bool pair_list_wake(pair_list *l, const pair_query *q, int *lost);
 // Is nothing of a pair loose?
 static inline bool pair_is_settled(const pair_list *l, const int pair[2])
 {
-    return l->is_settled[pair[0]] && l->is_settled[pair[1]];
+    return l->is_settled[pair[0]] && (pair[1] < 0 || l->is_settled[pair[1]]);
+}
+
+// Leaves only those for which `stays` returns true.
+typedef bool pair_stays(const void *context, const int pair[2]);
+static inline void pair_list_filter(pair_list *l, pair_stays *stays,
+                                    const void *context)
+{
+    int kept = 0, count = 0;
+    for (int k = 0; k < l->count + l->walls; k++) {
+        if (!stays(context, l->pair[k])) continue;
+        memmove(l->pair[kept++], l->pair[k], sizeof l->pair[k]);
+        count += k < l->count;
+    }
+    l->count = count;
+    l->walls = kept - count;
 }
 
 // Leaves those out of a whole list of which nothing is loose.  Until then it is

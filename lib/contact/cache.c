@@ -21,9 +21,9 @@ void cache_update(contact_cache *c, const cache_frame *f)
     c->lost = 0;
     c->queries = 0;
     // (Memory for them may have been refused in the last frame.)
-    if (f->is_new_list || c->pairs.count != f->list->count
-        || c->walls.count != f->list->walls) follow_lists(c, f);
-    int items = task_chunks(c->walls.count) + task_chunks(c->pairs.count);
+    if (f->is_new_list || c->pairs.count != f->list->count + f->list->walls)
+        follow_lists(c, f);
+    int items = task_chunks(c->pairs.count);
     tasks_run(f->run, place_chunk, &u, task_chunks(f->awakes));
     c->updates++;
     tasks_run(f->run, decide_chunk, &u, items);
@@ -35,7 +35,7 @@ void cache_update(contact_cache *c, const cache_frame *f)
 //<
 
 //> cache-follow
-//>   Both lists of pairs are sorted, so one walk hands on what is kept.
+//>   The list of pairs is sorted, so one walk hands on what is kept.
 static void release_pair(contact_cache *c, cache_pair *p)
 {
     if (p->entry < 0) return;
@@ -44,10 +44,14 @@ static void release_pair(contact_cache *c, cache_pair *p)
     p->entry = -1;
 }
 
-static int compare_bodies(const int a[2], const int b[2])
+// Pairs of two bodies come before those with planes.
+static int compare_pairs(const int a[2], const int b[2])
 {
-    return a[0] != b[0] ? (a[0] < b[0] ? -1 : 1)
-         : a[1] != b[1] ? (a[1] < b[1] ? -1 : 1) : 0;
+    bool is_wall = a[1] < 0;
+    if (is_wall != (b[1] < 0)) return is_wall ? 1 : -1;
+    if (a[0] != b[0]) return a[0] < b[0] ? -1 : 1;
+    int order = (a[1] > b[1]) - (a[1] < b[1]);
+    return is_wall ? -order : order;
 }
 
 static bool grow_spare(cache_list *l, int need)
@@ -62,17 +66,17 @@ static void swap_spare(cache_list *l, int count)
 
 // Both lists are sorted: one walk along them hands each pair what was kept of
 // it, and lets go of what belongs to pairs that are listed no more.
-static void follow_list(contact_cache *c, cache_list *l, int (*list)[2],
-                        int count)
+static void follow_list(contact_cache *c, cache_list *l, const pair_list *list)
 {
+    int count = list->count + list->walls;
     int n = grow_spare(l, count) ? count : 0, old = 0;
     c->lost += count - n;
     for (int k = 0; k < n; k++) {
-        const int *now = list[k];
-        while (old < l->count && compare_bodies(l->pair[old].key, now) < 0)
+        const int *now = list->pair[k];
+        while (old < l->count && compare_pairs(l->pair[old].key, now) < 0)
             release_pair(c, &l->pair[old++]);
         bool is_known = old < l->count
-                     && compare_bodies(l->pair[old].key, now) == 0;
+                     && compare_pairs(l->pair[old].key, now) == 0;
         l->spare[k] = is_known ? l->pair[old++]
                     : (cache_pair){ .key = { now[0], now[1] }, .entry = -1,
                                     .seen = { -1, -1 } };
@@ -85,7 +89,7 @@ static bool is_of_other(const cache_list *l, int k, const cache_list *other,
                         int j)
 {
     return k == l->count || (j < other->count
-                             && compare_bodies(other->pair[j].key, l->pair[k].key) < 0);
+                             && compare_pairs(other->pair[j].key, l->pair[k].key) < 0);
 }
 
 const cache_pair *cache_next(const cache_list *l, int *k,
@@ -113,26 +117,13 @@ static void take_back_pairs(contact_cache *c, cache_list *l, cache_list *still)
     still->count = 0;
 }
 
-// Of a wall's key only the first is a body.
-static bool is_settled(const cache_pair *p, const pair_list *list, int bodies)
-{
-    const int both[2] = { p->key[0], p->key[bodies - 1] };
-    return pair_is_settled(list, both);
-}
-
-static int count_settled(const cache_list *l, const pair_list *list, int bodies)
-{
-    int n = 0;
-    for (int k = 0; k < l->count; k++)
-        n += is_settled(&l->pair[k], list, bodies);
-    return n;
-}
-
 // And pairs of which nothing is loose leave the list, with what is kept of them.
 static void set_aside(contact_cache *c, cache_list *l, cache_list *still,
-                      const pair_list *list, int bodies)
+                      const pair_list *list)
 {
-    int left = 0, aside = count_settled(l, list, bodies);
+    int left = 0, aside = 0;
+    for (int k = 0; k < l->count; k++)
+        aside += pair_is_settled(list, l->pair[k].key);
     if (!grow_spare(still, aside)) {
         c->lost += aside;
         return;
@@ -140,7 +131,7 @@ static void set_aside(contact_cache *c, cache_list *l, cache_list *still,
     aside = 0;
     for (int k = 0; k < l->count; k++) {
         cache_pair *p = &l->pair[k];
-        bool is_still = is_settled(p, list, bodies);
+        bool is_still = pair_is_settled(list, p->key);
         p->is_active &= !is_still;
         *(is_still ? &still->spare[aside++] : &l->pair[left++]) = *p;
     }
@@ -151,12 +142,9 @@ static void set_aside(contact_cache *c, cache_list *l, cache_list *still,
 static void follow_lists(contact_cache *c, const cache_frame *f)
 {
     bool is_whole = f->list->is_whole;
-    if (is_whole) take_back_pairs(c, &c->pairs, &c->still_pairs);
-    if (is_whole) take_back_pairs(c, &c->walls, &c->static_planes);
-    follow_list(c, &c->pairs, f->list->pair, f->list->count);
-    follow_list(c, &c->walls, f->list->wall, f->list->walls);
-    if (is_whole) set_aside(c, &c->pairs, &c->still_pairs, f->list, 2);
-    if (is_whole) set_aside(c, &c->walls, &c->static_planes, f->list, 1);
+    if (is_whole) take_back_pairs(c, &c->pairs, &c->still);
+    follow_list(c, &c->pairs, f->list);
+    if (is_whole) set_aside(c, &c->pairs, &c->still, f->list);
 }
 //<
 
@@ -247,9 +235,9 @@ static bool is_near(const cache_frame *f, int a, int b, real reach)
 
 // Asks again where a body was placed again, or gets further than it was asked
 // for; not if there was a gap between them that they do not close yet.
-static void decide(const contact_cache *c, const cache_frame *f, cache_pair *p,
-                   int a, int b)
+static void decide(const contact_cache *c, const cache_frame *f, cache_pair *p)
 {
+    int a = p->key[0], b = p->key[1];
     real reach = pair_reach(f, a, b);
     p->is_asked = false;
     if (!f->moves[a] && (b < 0 || !f->moves[b])) return;
@@ -260,31 +248,12 @@ static void decide(const contact_cache *c, const cache_frame *f, cache_pair *p,
                     && !(p->count == 0 && p->near - paths_of(c, a, b) > reach);
 }
 
-// The first items are walls, the others pairs.
-static cache_list *list_of(contact_cache *c, int *item)
-{
-    int walls = task_chunks(c->walls.count);
-    if (*item < walls) return &c->walls;
-    *item -= walls;
-    return &c->pairs;
-}
-
-// The second body of a pair in list l, or its plane.
-static int second_of(const contact_cache *c, const cache_list *l,
-                     const cache_pair *p)
-{
-    return l == &c->walls ? contact_with_plane(p->key[1]) : p->key[1];
-}
-
 static void decide_chunk(void *data, int item)
 {
     const cache_work *u = data;
-    const cache_list *l = list_of(u->c, &item);
+    const cache_list *l = &u->c->pairs;
     int end = task_end(item, l->count);
-    for (int k = task_first(item); k < end; k++) {
-        cache_pair *p = &l->pair[k];
-        decide(u->c, u->f, p, p->key[0], second_of(u->c, l, p));
-    }
+    for (int k = task_first(item); k < end; k++) decide(u->c, u->f, &l->pair[k]);
 }
 //<
 
@@ -316,18 +285,17 @@ static void place_body(contact_cache *c, const cache_frame *f, int b,
 {
     struct placing *p = &c->placing[b];
     const rigid_frame *now = &f->asked[b];
-    const cache_body *body = &f->body[b];
-    if (!body->rigid || (!f->moves[b] && p->number > 0)) return;
+    const body *x = &f->body[b];
+    if (!x->rigid || (!f->moves[b] && p->number > 0)) return;
     if (p->number > 0 && far_from(&c->placed[b], now,
                                      p->corners == c->updates)
                          <= stay_of(f, b)) return;
     c->placed[b] = *now;
     p->number++;
     p->since = in;
-    rigid4_ride(body->rigid, now, c->vertex + p->first,
-                body->shape->particles);
+    rigid4_ride(x->rigid, now, c->vertex + p->first, x->shape->particles);
     p->in_range = hull_in_range((hull){ c->vertex + p->first,
-                                        body->shape->particles });
+                                        x->shape->particles });
 }
 
 static void place_chunk(void *data, int item)
@@ -368,9 +336,9 @@ static int whole_body(const cache_frame *f, int b)
     return b >= 0 && f->body[b].rides > 0 ? f->body[b].rides - 1 : b;
 }
 
-static void make_entry(contact_cache *c, const cache_frame *f, cache_pair *p,
-                       int a, int b)
+static void make_entry(contact_cache *c, const cache_frame *f, cache_pair *p)
 {
+    int a = p->key[0], b = p->key[1];
     if (!p->is_asked) return;
     c->queries++;
     if (p->entry < 0) p->entry = new_entry(c);
@@ -389,12 +357,7 @@ static void make_entry(contact_cache *c, const cache_frame *f, cache_pair *p,
 
 static void make_entries(contact_cache *c, const cache_frame *f)
 {
-    const cache_list *const list[] = { &c->pairs, &c->walls };
-    for (int i = 0; i < 2; i++)
-        for (int k = 0; k < list[i]->count; k++) {
-            cache_pair *p = &list[i]->pair[k];
-            make_entry(c, f, p, p->key[0], second_of(c, list[i], p));
-        }
+    for (int k = 0; k < c->pairs.count; k++) make_entry(c, f, &c->pairs.pair[k]);
 }
 //<
 
@@ -441,7 +404,7 @@ static swept_motion motion_ahead(const cache_frame *f, int b, real *apart)
 // As it stands now, in room of its own.
 static collider standing_body(const cache_frame *f, int b, vec3 *at)
 {
-    const cache_body *x = &f->body[b];
+    const body *x = &f->body[b];
     rigid4_ride(x->rigid, &f->now[b].frame, at, x->shape->particles);
     return (collider){ x->shape, at, false };
 }
@@ -581,9 +544,9 @@ static void query_plane_pair(contact_cache *c, const cache_frame *f, cache_pair 
 {
     int a = now->piece_a;
     plane wall = f->plane[-1 - now->piece_b];
-    collider body = cache_collider(c, f, a);
+    collider x = cache_collider(c, f, a);
     real slack = slack_of(c, f, a, -1), reach = pair_reach(f, a, -1);
-    manifold m = manifold_on_plane(&body, wall.normal, wall.offset,
+    manifold m = manifold_on_plane(&x, wall.normal, wall.offset,
                                    reach + 2 * slack, f->ahead[a].angle);
     cache_take(now, &m, f, false);
     date(c, f, p, a, -1, reach);
@@ -616,8 +579,9 @@ static void query_pair(contact_cache *c, const cache_frame *f, cache_pair *p)
 // A contact whose gap cannot close in this frame is left out: both bodies
 // together have not gone as far yet.
 static void activate_pair(const contact_cache *c, const cache_frame *f,
-                          cache_pair *p, int a, int b)
+                          cache_pair *p)
 {
+    int a = p->key[0], b = p->key[1];
     p->is_active = false;
     if ((p->count == 0 && !p->passes) || p->entry < 0) return;
     if (!f->moves[a] && (b < 0 || !f->moves[b])) return;
@@ -633,14 +597,14 @@ static void activate_pair(const contact_cache *c, const cache_frame *f,
 static void query_chunk(void *data, int item)
 {
     const cache_work *u = data;
-    const cache_list *l = list_of(u->c, &item);
+    const cache_list *l = &u->c->pairs;
     int end = task_end(item, l->count);
     for (int k = task_first(item); k < end; k++) {
         cache_pair *p = &l->pair[k];
         if (k + 1 < end && p[1].is_asked)
             contact_expect(&u->c->entry[p[1].entry].contact);
         if (p->is_asked) query_pair(u->c, u->f, p);
-        activate_pair(u->c, u->f, p, p->key[0], second_of(u->c, l, p));
+        activate_pair(u->c, u->f, p);
     }
 }
 //<
@@ -678,7 +642,6 @@ static void gather_active(contact_cache *c, const cache_frame *f)
         return;
     }
     for (int k = 0; k < c->pairs.count; k++) gather_pair(c, f, &c->pairs.pair[k]);
-    for (int k = 0; k < c->walls.count; k++) gather_pair(c, f, &c->walls.pair[k]);
 }
 
 // Within a frame what was to meet on one side of a body meets on no other: if it is
@@ -705,7 +668,7 @@ void cache_again(contact_cache *c, const cache_frame *f, int k)
     place_body(c, f, a, c->updates);
     if (b >= 0) place_body(c, f, b, c->updates);
     p->is_asked = true;
-    make_entry(c, f, p, a, b);
+    make_entry(c, f, p);
     query_again(c, f, p);
     if (b >= 0 && is_through(c->active[k], &was)) {
         *c->active[k] = was;
@@ -765,9 +728,8 @@ status cache_add(contact_cache *c, int b, int vertices)
 
 void cache_free(contact_cache *c)
 {
-    cache_list *list[] = { &c->pairs, &c->walls, &c->still_pairs,
-                           &c->static_planes };
-    for (int k = 0; k < 4; k++) {
+    cache_list *list[] = { &c->pairs, &c->still };
+    for (int k = 0; k < 2; k++) {
         free(list[k]->pair);
         free(list[k]->spare);
     }
@@ -788,30 +750,27 @@ static void drop_kept(contact_cache *c, cache_pair *p)
     p->near = -HUGE_VAL;
 }
 
-// Of what was not placed; of the key of a wall only the first is a body.
-static void clear_unplaced(contact_cache *c, cache_list *l, int bodies)
+// Of what was not placed, and of plane `wall`, which is negative; 0: of none.
+static void clear_kept(contact_cache *c, cache_list *l, int wall)
 {
     for (int k = 0; k < l->count; k++) {
         cache_pair *p = &l->pair[k];
-        if (c->placing[p->key[0]].number == 0
-            || c->placing[p->key[bodies - 1]].number == 0) drop_kept(c, p);
+        int a = p->key[0], b = p->key[1];
+        if (c->placing[a].number == 0 || b == wall
+            || (b >= 0 && c->placing[b].number == 0)) drop_kept(c, p);
     }
 }
 
 void cache_forget(contact_cache *c, const int *b, int n)
 {
     for (int k = 0; k < n; k++) c->placing[b[k]].number = 0;
-    clear_unplaced(c, &c->pairs, 2);
-    clear_unplaced(c, &c->walls, 1);
-    clear_unplaced(c, &c->still_pairs, 2);
-    clear_unplaced(c, &c->static_planes, 1);
+    clear_kept(c, &c->pairs, 0);
+    clear_kept(c, &c->still, 0);
 }
 
 void cache_forget_plane(contact_cache *c, int wall)
 {
-    cache_list *list[] = { &c->walls, &c->static_planes };
-    for (int i = 0; i < 2; i++)
-        for (int k = 0; k < list[i]->count; k++)
-            if (list[i]->pair[k].key[1] == wall) drop_kept(c, &list[i]->pair[k]);
+    clear_kept(c, &c->pairs, contact_with_plane(wall));
+    clear_kept(c, &c->still, contact_with_plane(wall));
 }
 //<

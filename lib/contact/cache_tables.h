@@ -1,5 +1,5 @@
 //> cache-head
-//>   This is what the cache reads of a body.
+//>   This is what the cache reads of bodies.
 // cache_tables.h - what is read of bodies to find contacts, and what is kept.
 //
 // Paper: section 6.1, where contacts do not outlive a step.  Book: chapter 18.
@@ -10,19 +10,11 @@
 
 #include "collide.h"
 #include "pairs.h"
+#include "placed.h"
 #include "solver.h"
 
-// What the narrow phase reads of a rigid body, beside its solver_body.
-typedef struct {
-    const shape *shape; // NULL: it is not rigid
-    const rigid4 *rigid;
-    real inner;         // m, its inner radius
-    int family;         // pieces of one body have one number; 0: it is alone
-    int rides;          // 1 + the body that it moves with; 0: it moves alone
-} cache_body;
-
 // m, its radius; of what is thin, twice as much as it is thick.
-static inline real cache_width(const cache_body *b, real radius)
+static inline real cache_width(const body *b, real radius)
 {
     return b->inner > 0 ? real_min(radius, 4 * b->inner) : radius;
 }
@@ -37,7 +29,7 @@ static inline vec3 cache_local(const rigid4 *r, const feature_point *f)
 }
 
 typedef struct {
-    const cache_body *body;     // [bodies]
+    const body *body;           // [bodies]
     const solver_body *now;     // [bodies]
     const rigid_frame *asked;   // [bodies] where it is asked: there, but turned
                                 // as it will be in the middle of the time
@@ -47,7 +39,7 @@ typedef struct {
     int awakes;
     const pair_list *list;
     bool is_new_list;
-    const plane *plane;         // those that walls of the list name
+    const plane *plane;         // those that the list names
     real stay;          // of a body's radius; see world_options
     bool has_parts;     // of surfaces: a body may lie on very many
     bool has_pieces;    // some bodies ride on others
@@ -61,7 +53,7 @@ typedef struct {
 // What is kept of a pair, or of a body and a plane: small, for it is read in
 // every frame.
 typedef struct {
-    int  key[2];        // two bodies, or a body and a plane's number
+    int  key[2];        // two bodies, or a body and a plane (contact_with_plane)
     int  entry;         // in the table of contacts; -1: none
     int  seen[2];       // of which placing of each body it was found; -1: it is
                         // good for this frame only
@@ -90,8 +82,8 @@ typedef struct {
 } cache_list;
 
 typedef struct {
-    cache_list pairs, walls;    // of the pairs that are listed
-    cache_list still_pairs, static_planes;      // of which nothing is loose
+    cache_list pairs;           // of those that are listed,
+    cache_list still;           // and of those of which nothing is loose
     cache_entry *entry;
     contact     *was;           // [entries] what those on a floor carried before
                                 // they were asked again in this frame
@@ -115,7 +107,7 @@ typedef struct {
 
     // Whose contacts are which, see seams.h.
     int *first, *last;          // [room] in met, of what is awake
-    int *met;                   // [met_capacity] pair k, or ~k: wall k
+    int *met;                   // [met_capacity] of pairs
     int met_capacity;
 
     // The contacts of this frame, and how near their points may come in it.

@@ -634,32 +634,30 @@ static bool is_met(const cache_pair *p)
 static bool is_left(const contact_cache *c, const cache_frame *f,
                     const cache_pair *p)
 {
-    return p->is_asked && p->count == 0
+    return p->is_asked && p->count == 0 && p->key[1] >= 0
         && seams_slider(f, p->key[0], p->key[1]) >= 0
         && c->was[p->entry].count > 0;
 }
 
 static bool is_new_on_floor(const cache_frame *f, const cache_pair *p)
 {
-    return p->is_asked && p->count > 0
+    return p->is_asked && p->count > 0 && p->key[1] >= 0
         && seams_slider(f, p->key[0], p->key[1]) >= 0;
 }
 
 // Calls with `do_write` false count; then places are known.
 static void list_met(contact_cache *c, const cache_frame *f, bool do_write)
 {
-    const cache_list *list[2] = { &c->pairs, &c->walls };
-    for (int l = 0; l < 2; l++)
-        for (int k = 0; k < list[l]->count; k++) {
-            const cache_pair *p = &list[l]->pair[k];
-            if (!is_met(p) && (l > 0 || !is_left(c, f, p))) continue;
-            for (int i = 0; i < 2 - l; i++) {
-                int b = p->key[i];
-                if (!f->moves[b]) continue;
-                if (do_write) c->met[c->last[b]] = l ? ~k : k;
-                c->last[b]++;
-            }
+    for (int k = 0; k < c->pairs.count; k++) {
+        const cache_pair *p = &c->pairs.pair[k];
+        if (!is_met(p) && !is_left(c, f, p)) continue;
+        for (int i = 0; i < 2; i++) {
+            int b = p->key[i];
+            if (b < 0 || !f->moves[b]) continue;
+            if (do_write) c->met[c->last[b]] = k;
+            c->last[b]++;
         }
+    }
 }
 
 static void find_lists(contact_cache *c, const cache_frame *f)
@@ -683,18 +681,15 @@ static void find_lists(contact_cache *c, const cache_frame *f)
 static void add_side(slider *s, int k)
 {
     contact_cache *c = s->c;
-    cache_list *l = k < 0 ? &c->walls : &c->pairs;
-    cache_pair *p = &l->pair[k < 0 ? ~k : k];
+    cache_pair *p = &c->pairs.pair[k];
     contact *t = &c->entry[p->entry].contact;
     int b = t->piece_b < 0 ? t->piece_b : t->piece_a == s->a ? t->piece_b : t->piece_a;
     int owner = seams_slider(s->f, t->piece_a, t->piece_b);
     if (owner >= 0 && owner != s->a) return;
     side *x = &s->side[s->sides++];
     *x = (side){ .pair = p, .contact = t, .b = b,
-                 .is_new = owner == s->a && b >= 0 && p->is_asked
-                           && p->count > 0,
-                 .is_left = owner == s->a && b >= 0
-                            && is_left(c, s->f, p),
+                 .is_new = owner == s->a && is_new_on_floor(s->f, p),
+                 .is_left = owner == s->a && is_left(c, s->f, p),
                  .n = normal_to(s, t) };
 }
 
@@ -756,8 +751,7 @@ void seams_correct(contact_cache *c, const cache_frame *f)
     for (int k = 0; k < c->pairs.count && !is_any; k++)
         is_any = is_new_on_floor(f, &c->pairs.pair[k]);
     if (!is_any) return;
-    if (!TABLE_RENEW(c->met, c->met_capacity,
-                     2 * c->pairs.count + c->walls.count)) {
+    if (!TABLE_RENEW(c->met, c->met_capacity, 2 * c->pairs.count)) {
         c->lost++;
         return;
     }

@@ -53,17 +53,6 @@ static bool may_be_met(const tumble_world *w, int b, const question *q)
     return !(path_distance(q, center) > near * near * (1 + 1e-9));
 }
 
-static sphere ball_of_rounded(rounded h)
-{
-    vec3 sum = { 0, 0, 0 };
-    for (int k = 0; k < h.core.count; k++) sum = vec3_add(sum, h.core.at[k]);
-    vec3 center = vec3_scale(1.0 / h.core.count, sum);
-    real most = 0;
-    for (int k = 0; k < h.core.count; k++)
-        most = real_max(most, vec3_length(vec3_sub(h.core.at[k], center)));
-    return (sphere){ center, most + h.round };
-}
-
 static void take_hit(tumble_hit *best, const cast_result *r, tumble_body b)
 {
     if (!r->hits || !(r->fraction < best->fraction)) return;
@@ -186,7 +175,7 @@ static void query_facets(const tumble_world *w, int b, const question *q,
         int vertex[3], n = facet_of(x->shape, k, vertex);
         for (int i = 0; i < n; i++) at[i] = p[vertex[i]].position;
         rounded facet = { { at, n }, is_cloth ? 0 : x->thickness, 0 };
-        sphere ball = ball_of_rounded(facet);
+        sphere ball = rounded_ball(facet);
         real near = ball.radius + q->around.radius;
         if (path_distance(q, ball.center) > near * near * (1 + 1e-9)) continue;
         cast_result r = q->ask(q, facet, NULL, scratch);
@@ -312,7 +301,7 @@ static bool stand_shape(const tumble_world *w, tumble_shape s, tumble_pose pose,
     for (int k = 0; k < x->shape->particles; k++)
         at[k] = vec3_add(p.position, placement_vector(&p, x->shape->at[k]));
     q->thing = rounded_shape(x->shape, at);
-    q->around = ball_of_rounded(q->thing);
+    q->around = rounded_ball(q->thing);
     return true;
 }
 
@@ -343,7 +332,7 @@ bool tumble_world_sweep(const tumble_world *w, tumble_shape s, tumble_pose pose,
 bool inside_sweep(const tumble_world *w, rounded thing, vec3 way, unsigned mask,
                   tumble_hit *hit)
 {
-    question q = { .thing = thing, .way = way, .around = ball_of_rounded(thing),
+    question q = { .thing = thing, .way = way, .around = rounded_ball(thing),
                    .mask = mask, .ask = query_path, .most = 1 };
     return first_met(w, &q, hit);
 }
@@ -360,7 +349,7 @@ static cast_result query_gap(const question *q, rounded b, const plane *p,
 bool inside_near(const tumble_world *w, rounded thing, real most, unsigned mask,
                  tumble_hit *hit)
 {
-    question q = { .thing = thing, .around = ball_of_rounded(thing), .mask = mask,
+    question q = { .thing = thing, .around = rounded_ball(thing), .mask = mask,
                    .ask = query_gap, .most = most };
     q.around.radius += most;
     return first_met(w, &q, hit);
@@ -452,7 +441,7 @@ static bool some_piece_senses(const tumble_world *w, const body_place *sensor,
     for (int k = 0; k < sensor->pieces; k++) {
         question q = { .mask = sensor->mask, .ask = query_overlap, .most = 1 };
         q.thing = rounded_body(w, sensor->piece[k].number, at);
-        q.around = ball_of_rounded(q.thing);
+        q.around = rounded_ball(q.thing);
         if (is_sensed(w, sensor, x, &q)) return true;
     }
     return false;

@@ -55,18 +55,16 @@ static tumble_contact public_contact(const tumble_world *w, const contact *c)
 int tumble_world_contacts(const tumble_world *w, tumble_contact *out, int most)
 {
     if (!w) return 0;
-    const contact_cache *cache = &w->world.rigid.cache;
-    const cache_list *list[] = { &cache->pairs, &cache->walls };
-    const cache_list *still[] = { &cache->still_pairs, &cache->static_planes };
+    const cache_list *list = &w->world.rigid.cache.pairs;
+    const cache_list *still = &w->world.rigid.cache.still;
     int n = 0;
-    for (int i = 0; i < 2; i++)
-        for (int k = 0, j = 0; k < list[i]->count || j < still[i]->count;) {
-            const cache_pair *p = cache_next(list[i], &k, still[i], &j);
-            const contact *c = pushing_contact(&w->world, p);
-            if (!c) continue;
-            if (out && n < most) out[n] = public_contact(w, c);
-            n++;
-        }
+    for (int k = 0, j = 0; k < list->count || j < still->count;) {
+        const cache_pair *p = cache_next(list, &k, still, &j);
+        const contact *c = pushing_contact(&w->world, p);
+        if (!c) continue;
+        if (out && n < most) out[n] = public_contact(w, c);
+        n++;
+    }
     return n;
 }
 //<

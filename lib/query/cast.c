@@ -25,6 +25,18 @@ static real rounded_size(rounded r)
     return most + r.round;
 }
 
+sphere rounded_ball(rounded r)
+{
+    sphere s = { { 0, 0, 0 }, 0 };
+    real most = 0;
+    for (int k = 0; k < r.core.count; k++)
+        s.center = vec3_add_scaled(s.center, 1.0 / r.core.count, r.core.at[k]);
+    for (int k = 0; k < r.core.count; k++)
+        most = real_max(vec3_length_squared(vec3_sub(r.core.at[k], s.center)), most);
+    s.radius = sqrt(most) + r.round;
+    return s;
+}
+
 static cast_result met(const swept_result *s, rounded a, vec3 way, rounded b)
 {
     if (s->status == SWEPT_OVERLAP)

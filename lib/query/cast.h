@@ -10,6 +10,7 @@
 
 #include "scene.h"
 #include "search.h"
+#include "sphere.h"
 #include "swept.h"
 
 // All points no further than `round` (m, >= 0) from a convex hull: a ray's tip
@@ -25,6 +26,9 @@ static inline rounded rounded_shape(const shape *s, const vec3 *at)
 {
     return (rounded){ { at, s->particles }, s->round, s->rim };
 }
+
+// A ball around it, about the mean of its points.
+sphere rounded_ball(rounded r);
 
 typedef struct {
     bool hits;

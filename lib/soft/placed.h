@@ -41,6 +41,7 @@ typedef struct body {
     real gravity;       // 1, so many times the world's acts on it, if it is rigid
     bool is_kinematic;  // rigid, and moves as a program says
     bool is_part;       // of something that is larger, see world_add_part
+    int  family;        // pieces of one body have one number; 0: it is alone
     int  rides;         // 1 + the body that has all of its pieces' motion, for a
                         // piece and for that body itself; 0: it is all of one
     int  next;          // 1 + the next piece that rides with it; 0: none

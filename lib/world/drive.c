@@ -61,18 +61,4 @@ real drive_fastest(const world *w)
     }
     return most;
 }
-
-void drive_drop_planes(world *w)
-{
-    pair_list *l = &w->rigid.pairs;
-    int walls = 0;
-    if (w->kinematic_bodies == 0 && !w->is_choosy) return;
-    for (int k = 0; k < l->walls; k++) {
-        const body *x = &w->body[l->wall[k][0]];
-        if (x->is_kinematic || body_meets_none(x)) continue;
-        l->wall[walls][0] = l->wall[k][0];
-        l->wall[walls++][1] = l->wall[k][1];
-    }
-    l->walls = walls;
-}
 //<

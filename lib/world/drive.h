@@ -30,9 +30,5 @@ void drive_back(world *w, int b);
 // m/s, of any point of a driven body, at most.
 real drive_fastest(const world *w);
 
-// A driven body goes through planes: takes it out of the pairs of body and
-// plane that may meet.
-void drive_drop_planes(world *w);
-
 #endif
 //<

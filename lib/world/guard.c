@@ -85,6 +85,18 @@ static void sum_drives(world *w)
     }
 }
 
+// Of all that may touch.
+static real largest_restitution(const world *w, const solver_frame *f)
+{
+    const rigid_tables *t = &w->rigid;
+    real most = 0;
+    for (int k = 0; k < t->cache.actives; k++) {
+        const contact *c = t->cache.active[k];
+        most = real_max(solver_material(f, c->a, c->b).restitution, most);
+    }
+    return most;
+}
+
 // Contacts create no motion: beside what there is in an island, and what bends and
 // links have stored, only gravity does, what pushes from outside, motors and
 // springs, the speed at
@@ -103,7 +115,8 @@ void guard_begin(world *w, const solver_frame *f)
             add_soft_motion(budget_of(w, b), w, &w->body[b]);
     }
     real gravity = w->most_gravity * vec3_length(w->options.gravity);
-    real more = w->frame * gravity + (1 + f->restitution) * drive_fastest(w);
+    real driven = drive_fastest(w), more = w->frame * gravity;
+    if (driven > 0) more += (1 + largest_restitution(w, f)) * driven;
     for (int k = 0; k < t->awakes; k++) {
         island *i = &t->island[t->awake[k]];
         real most = sqrt(i->energy) + sqrt(i->loads) + i->drives
@@ -309,7 +322,7 @@ static vec3 out_of_face(const vec3 *local, const int *v)
 }
 
 // A line is in a convex body behind all of its faces.
-static line_passage find_passage(const cache_body *b, vec3 from, vec3 to)
+static line_passage find_passage(const body *b, vec3 from, vec3 to)
 {
     const vec3 *local = b->rigid->local;
     line_passage x = { -1, 0, 1, -1 };
@@ -333,7 +346,7 @@ static line_passage find_passage(const cache_body *b, vec3 from, vec3 to)
 // A line that goes out beside where it came in has cut a corner.  In coordinates
 // of a frame the normals of two sides of a prism of three stand at 120 degrees,
 // however flat it is: what goes through it has cut none, whatever rounding says.
-static bool cuts_corner(const cache_body *b, const line_passage *x)
+static bool cuts_corner(const body *b, const line_passage *x)
 {
     const int *face = b->shape->face;
     if (x->exit < 0) return false;
@@ -353,7 +366,7 @@ typedef struct {
 static lost_side side_of(const rigid_tables *t, int large, int face,
                          const rigid_frame *end, vec3 from, vec3 to, real high)
 {
-    const cache_body *b = &t->body[large];
+    const body *b = &t->body[large];
     vec3 at[3];
     for (int k = 0; k < 3; k++)
         at[k] = frame_point(end, b->rigid->local[b->shape->face[3 * face + k]]);
@@ -364,36 +377,23 @@ static lost_side side_of(const rigid_tables *t, int large, int face,
     return (lost_side){ n, vec3_sub(to, end->center), real_min(was, high) - is };
 }
 
-// What a body's moments of inertia make of a spin along e.
-static vec3 inertia_along(const motion_basis *basis, vec3 e)
-{
-    vec3 sum = { 0, 0, 0 };
-    for (int t = 0; t < TURNS; t++) {
-        vec3 turn = basis->turn[t];
-        real square = vec3_length_squared(turn);
-        sum = vec3_add_scaled(sum, vec3_dot(turn, e) / (square * square), turn);
-    }
-    return sum;
-}
-
 // How two bodies would turn as one about their common centre, the first at r from
-// the second, with this angular momentum.  (Cramer's rule.)
+// the second, with this angular momentum: what each spin would have of it are the
+// rows of a basis, for moments of inertia are symmetric.
 static vec3 spin_together(const motion_basis *a, const motion_basis *b, vec3 r,
                           vec3 angular)
 {
-    const vec3 axis[3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
+    const vec3 axis[3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }, none = { 0, 0, 0 };
     real mass = 1 / (a->inverse_mass + b->inverse_mass);
-    vec3 of[3];
+    motion_basis both = { .inverse_mass = 0 };
+    const motion has = { { 0, 0, 0, angular.x, angular.y, angular.z } };
     for (int k = 0; k < 3; k++) {
+        motion u = motion_make(a, none, axis[k]), v = motion_make(b, none, axis[k]);
         vec3 way = vec3_cross(r, vec3_cross(axis[k], r));
-        of[k] = vec3_add(inertia_along(a, axis[k]), inertia_along(b, axis[k]));
-        of[k] = vec3_add_scaled(of[k], mass, way);
+        vec3 own = vec3_add(motion_angular(a, &u), motion_angular(b, &v));
+        both.turn[k] = vec3_add_scaled(own, mass, way);
     }
-    vec3 across = vec3_cross(of[1], of[2]);
-    vec3 spin = { vec3_dot(angular, across),
-                  vec3_dot(angular, vec3_cross(of[2], of[0])),
-                  vec3_dot(angular, vec3_cross(of[0], of[1])) };
-    return vec3_scale(1 / vec3_dot(of[0], across), spin);
+    return motion_angular(&both, &has);
 }
 
 // Of an energy `part`, so much that no more than `most` is left: a share of speed.
@@ -423,16 +423,15 @@ static void turn_together(rigid_tables *t, int small, int large, vec3 moment)
     real energy = motion_energy(a, u) + motion_energy(b, v) - drifts;
     real turns = vec3_dot(was, has) / 2, rest = energy - vec3_dot(is, had) / 2;
     real share = slowed_to(energy, turns), beside = slowed_to(energy - turns, rest);
+    vec3 spin = vec3_add_scaled(vec3_scale(share, was), -beside, is);
     for (int k = 0; k < 2; k++) {
         const motion_basis *of = k ? b : a;
         motion *x = k ? v : u;
         real out = (k ? -1 : 1) * of->inverse_mass / sum;
-        vec3 now = vec3_add_scaled(mean, out, vec3_cross(is, r));
-        vec3 then = vec3_add_scaled(mean, share * out, vec3_cross(was, r));
-        motion one = motion_make(of, now, is);
-        motion on = motion_make(of, then, vec3_scale(share, was));
-        for (int i = 0; i < MOTIONS; i++)
-            x->of[i] = on.of[i] + beside * (x->of[i] - one.of[i]);
+        vec3 way = vec3_scale(1 - beside, mean);
+        motion more = motion_make(of, vec3_add_scaled(way, out, vec3_cross(spin, r)),
+                                  spin);
+        for (int i = 0; i < MOTIONS; i++) x->of[i] = beside * x->of[i] + more.of[i];
     }
 }
 
@@ -505,7 +504,7 @@ static bool stop_all(world *w)
     for (int k = 0; k < t->cache.pairs.count; k++) {
         const cache_pair *p = &t->cache.pairs.pair[k];
         int a = p->key[0], b = p->key[1];
-        if (chooses && !(p->is_active && p->count > 0)) continue;
+        if (b < 0 || (chooses && !(p->is_active && p->count > 0))) continue;
         bool is_a = t->now[a].radius < t->now[b].radius;
         int small = is_a ? a : b, large = is_a ? b : a;
         some |= may_pass(w, a, b, small) && stop_passing(t, small, large);

@@ -214,8 +214,7 @@ void world_set_gravity(world *w, vec3 gravity)
         const body *x = &w->body[b];
         world_wake(w, b);
         if (!body_moves(w, b)) continue;
-        real share = w->is_uneven ? x->gravity : 1;
-        vec3 change = vec3_scale(share * since_of(w, b), less);
+        vec3 change = vec3_scale(x->gravity * since_of(w, b), less);
         if (body_is_soft(x)) add_soft_velocity(w, x, change);
         else add_velocity(w, b, change, none);
     }
@@ -233,7 +232,6 @@ status world_set_gravity_scale(world *w, int b, real scale)
     vec3 was = since_then(w, b), none = { 0, 0, 0 };
     world_wake_around(w, b);
     w->body[b].gravity = scale;
-    w->is_uneven |= scale != 1;
     w->most_gravity = real_max(fabs(scale), w->most_gravity);
     w->is_still = false;
     if (body_moves(w, b)) add_velocity(w, b, vec3_sub(was, since_then(w, b)), none);
@@ -275,7 +273,7 @@ void world_forget_loads(world *w)
 
 //> handle-material
 //>   Friction, restitution and damping of a body.
-static status take_material(world *w, material *own, material m)
+static status take_material(const world *w, material *own, material m)
 {
     if (m.friction < 0) m.friction = w->options.friction;
     if (m.restitution < 0) m.restitution = w->options.restitution;
@@ -286,7 +284,6 @@ static status take_material(world *w, material *own, material m)
         return status_fail("restitution is %g; it must be at most 1",
                            m.restitution);
     *own = m;
-    w->rigid.is_weighed = false;
     return status_ok();
 }
 
@@ -327,7 +324,6 @@ void world_set_kinematic(world *w, int b, bool is_kinematic)
     placement at = world_where(w, b);
     world_wake_around(w, b);
     x->is_kinematic = is_kinematic;
-    w->is_choosy = true;
     w->kinematic_bodies += is_kinematic ? 1 : -1;
     w->dynamic_bodies -= is_kinematic ? 1 : -1;
     for (int i = x->first; i < x->first + FOUR; i++) {
@@ -350,7 +346,6 @@ void world_set_static(world *w, int b, bool is_static)
     real inverse = is_static ? 0 : 1 / x->rigid->mass;
     x->mass = is_static ? HUGE_VAL : FOUR * x->rigid->mass;
     w->dynamic_bodies += is_static ? -1 : 1;
-    w->is_choosy = true;
     for (int i = x->first; i < x->first + FOUR; i++) {
         particle *p = &w->pool.at[i];
         p->inverse_mass = w->inverse_mass[i] = inverse;
@@ -366,7 +361,6 @@ void world_set_filter(world *w, int b, unsigned group, unsigned mask)
     assert(b >= 0 && b < w->bodies);
     w->body[b].group = group;
     w->body[b].mask = mask;
-    w->is_choosy = true;
     world_wake_around(w, b);
     world_renew(w, b);
 }
@@ -374,7 +368,7 @@ void world_set_filter(world *w, int b, unsigned group, unsigned mask)
 void world_set_family(world *w, int b, int family)
 {
     assert(b >= 0 && b < w->bodies && family >= 0);
-    w->rigid.body[b].family = family;
+    w->body[b].family = family;
 }
 //<
 

@@ -1,6 +1,7 @@
 //> measure-strain
 //>   Strain is the worst of all links and sticks.
 #include "measure.h"
+#include "cast.h"
 
 #include <stddef.h>
 #include <stdlib.h>
@@ -134,18 +135,6 @@ static void measure_pair(const world *w, const sight *s, int a, int b,
 
 //> measure-look
 //>   The whole of it: overlaps, strains and motion.
-static sphere ball_of_points(const vec3 *at, int n)
-{
-    sphere s = { { 0, 0, 0 }, 0 };
-    real most = 0;
-    for (int i = 0; i < n; i++)
-        s.center = vec3_add_scaled(s.center, 1.0 / n, at[i]);
-    for (int i = 0; i < n; i++)
-        most = real_max(vec3_length_squared(vec3_sub(at[i], s.center)), most);
-    s.radius = (1 + 1e-9) * sqrt(most);
-    return s;
-}
-
 static void sight_free(sight *s)
 {
     free(s->at);
@@ -169,12 +158,11 @@ static bool sight_make(const world *w, sight *s)
     if (!s->at || !s->first || !s->ball || !s->plane) return false;
     int next = 0;
     for (int b = 0; b < w->bodies; b++) {
-        int n = w->body[b].shape->particles;
+        const shape *x = w->body[b].shape;
         s->first[b] = next;
         world_vertices(w, &w->body[b], s->at + next);
-        s->ball[b] = ball_of_points(s->at + next, n);
-        s->ball[b].radius += w->body[b].shape->round;
-        next += n;
+        s->ball[b] = rounded_ball(rounded_shape(x, s->at + next));
+        next += x->particles;
     }
     return true;
 }

@@ -58,9 +58,7 @@ static void cache_list_store(cache_list *l, store *s)
 static void cache_store(contact_cache *x, store *s)
 {
     cache_list_store(&x->pairs, s);
-    cache_list_store(&x->walls, s);
-    cache_list_store(&x->still_pairs, s);
-    cache_list_store(&x->static_planes, s);
+    cache_list_store(&x->still, s);
     CACHE_TABLES(SAVED, ROOM, x)
     STORE_FORGET(s, x->actives);
 }
@@ -276,24 +274,14 @@ static void bodies_store(world *w, store *s)
         STORE_FORGET(s, x->line);
         if (s->is_reading) find_body_shape(w, x);
     }
-    STORE_TABLE(s, w->rigid.body, w->bodies, w->room);
-    for (int b = 0; b < w->bodies && s->done.ok; b++) {
-        cache_body *x = &w->rigid.body[b];
-        const body *of = &w->body[b];
-        STORE_FORGET(s, x->shape);
-        STORE_FORGET(s, x->rigid);
-        if (s->is_reading && of->rigid)
-            *x = (cache_body){ of->shape, of->rigid, x->inner, x->family,
-                                 x->rides };
-    }
+    STORE_FORGET(s, w->rigid.body);
+    if (s->is_reading) w->rigid.body = w->body;
 }
 //<
 
 //> snapshot-world
 //>   At last the world, which goes whole and then names its tables in the order
 //>   of its parts.
-// Planes are read from a new list, or where the cache found no memory for the last
-// one.
 static void rigid_store(rigid_tables *t, int bodies, int room, store *s)
 {
 #define KEPT(table) STORE_TABLE(s, t->table, bodies, room);
@@ -312,7 +300,6 @@ static void rigid_store(rigid_tables *t, int bodies, int room, store *s)
     pair_list_store(&t->pairs, s);
     cache_store(&t->cache, s);
     contact_solver_store(&t->solver, s);
-    t->pairs.has_new |= s->is_reading && t->cache.walls.count != t->pairs.walls;
 }
 
 // As if it had moved: the next frame looks where it is.

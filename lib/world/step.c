@@ -189,7 +189,6 @@ void world_step(world *w)
     real since = w->options.host.clock ? w->options.host.clock() : 0;
     w->report = (step_report){ .substeps = 0 };
     w->rigid.hears = 0;
-    world_weigh(w);
     ledger_open(w);
     sleep_begin(&w->sleep);
     join_wake(w);
@@ -398,30 +397,28 @@ static bool is_past(const world *w, int b, sphere ball)
 
 //> step-pairs
 //>   Chapter 14 finds the pairs, and keeps them while the balls hold.
-static bool may_pair(const world *w, int a, int b)
+// (A kinematic body goes through planes.)
+static bool may_pair(const void *of, const int pair[2])
 {
-    const body *x = &w->body[a], *y = &w->body[b];
+    const world *w = of;
+    int a = pair[0], b = pair[1];
+    const body *x = &w->body[a], *y = &w->body[b < 0 ? a : b];
     const sphere *listed = w->rigid.pairs.listed;
-    return (!w->is_choosy || body_meets(x, y))
+    if (b < 0) return !x->is_kinematic && !body_meets_none(x);
+    return body_meets(x, y)
         && !(x->is_part && is_past(w, a, listed[b]))
         && !(y->is_part && is_past(w, b, listed[a]))
-        && !linkage_keeps_apart(&w->joints, body_whole(x, a), body_whole(y, b));
+        && (w->joints.aparts == 0
+            || !linkage_keeps_apart(&w->joints, body_whole(x, a),
+                                    body_whole(y, b)));
 }
 
 // A list without those that must not meet, that are joined, and parts of meshes
 // that bodies do not reach.
 static void drop_pairs(world *w)
 {
-    pair_list *l = &w->rigid.pairs;
-    int kept = 0;
     linkage_find_apart(&w->joints);
-    for (int k = 0; k < l->count; k++) {
-        int a = l->pair[k][0], b = l->pair[k][1];
-        if (!may_pair(w, a, b)) continue;
-        l->pair[kept][0] = a;
-        l->pair[kept++][1] = b;
-    }
-    l->count = kept;
+    pair_list_filter(&w->rigid.pairs, may_pair, w);
 }
 
 typedef bool pair_finding(pair_list *l, const pair_query *q, int *lost);
@@ -435,7 +432,6 @@ static bool list_pairs(world *w, pair_finding *ask)
     bool is_new = ask(&t->pairs, &q, &lost);
     w->report.dropped += lost;
     if (is_new) drop_pairs(w);
-    if (is_new) drive_drop_planes(w);
     return is_new;
 }
 
@@ -494,7 +490,7 @@ static solver_frame solver_frame_of(const world *w, int substeps)
         .material = w->rigid.material, .wall = w->wall,
         .hertz = o->hertz, .damping = DAMPING, .max_rate = PARTS_BY / o->dt,
         .joint_rate = JOINS_FASTER * PARTS_BY / o->dt,
-        .restitution = w->rigid.restitution, .gravity = o->gravity,
+        .gravity = o->gravity,
         .run = o->host.run };
 }
 
@@ -716,8 +712,8 @@ static void join_islands(world *w)
 static void observe(world *w)
 {
     const world_options *o = &w->options;
-    sleep_rule rule = { o->sleep_speed, o->time_to_sleep,
-                        vec3_length(o->gravity), o->dt, 0, 0 };
+    sleep_rule rule = { .speed = o->sleep_speed, .time = o->time_to_sleep,
+                        .dt = o->dt };
     for (int k = 0; k < w->rigid.awakes; k++) {
         int b = w->rigid.awake[k];
         const body *x = &w->body[b];
@@ -725,7 +721,7 @@ static void observe(world *w)
         real radius = x->rigid ? x->rigid->radius : x->shape->radius;
         rule.h = body_age(w, b);
         rule.lasts = w->rigid.island[w->rigid.island[b].parent].lasts;
-        if (w->is_uneven) rule.gravity = vec3_length(body_gravity(w, b));
+        rule.gravity = vec3_length(body_gravity(w, b));
         sleep_observe(&w->sleep, b, w->pool.at, x->first, body_particles(x),
                       radius, &rule);
     }

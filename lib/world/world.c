@@ -122,7 +122,6 @@ static void set_plane(world *w, int k, plane p)
 {
     w->plane[k] = p;
     w->wall[k] = material_of(w);
-    w->rigid.is_weighed = false;
     pair_list_renew(&w->rigid.pairs, -1);
     soft_doubt(&w->soft);
     for (int b = 0; b < w->bodies; b++) world_wake(w, b);
@@ -362,34 +361,17 @@ static status make_rigid(const shape *s, rigid4 **f)
     return done;
 }
 
-// Its number; or -1, and the first place that is free.
-static int find_shape(const world *w, const shape *s, int *place)
-{
-    *place = w->shapes;
-    for (int k = w->shapes - 1; k >= 0; k--) {
-        const shape_entry *e = &w->shape[k];
-        if (e->bodies == 0) *place = k;
-        else if (e->shape == s) return k;
-    }
-    return -1;
-}
-
-// That of a part is always new, and there may be many.
-static int free_entry(world *w)
-{
-    while (w->part_entry < w->shapes && w->shape[w->part_entry].bodies > 0)
-        w->part_entry++;
-    return w->part_entry;
-}
-
-// Enters shape s among those in use, if it is new; its number in *number.
+// Enters shape s among those in use, if it is new (that of a part always is, and
+// there may be many); its number in *number.
 static status enter_shape(world *w, const shape *s, bool is_part, int *number)
 {
-    int place = 0;
-    *number = -1;
-    if (is_part) place = free_entry(w);
-    else         *number = find_shape(w, s, &place);
-    if (*number >= 0) return status_ok();
+    for (int k = 0; k < w->shapes && !is_part; k++) {
+        *number = k;
+        if (w->shape[k].bodies > 0 && w->shape[k].shape == s) return status_ok();
+    }
+    while (w->free_entry < w->shapes && w->shape[w->free_entry].bodies > 0)
+        w->free_entry++;
+    int place = w->free_entry;
     if (!TABLE_ADD(w->shape, place, w->shape_room)) return status_out_of_memory();
     shape_entry entry = { .shape = s };
     status done = status_ok();
@@ -420,7 +402,6 @@ static void free_shape(shape_entry *e)
 static bool grow_rigid(rigid_tables *t, int old, int room)
 {
     bool ok = true;
-    TABLE_GROW(ok, t->body, old, room);
 #define GROW(table) TABLE_GROW(ok, t->table, old, room);
     RIGID_TABLES(GROW, GROW, GROW)
 #undef GROW
@@ -444,6 +425,7 @@ static bool grow_tables(world *w, int bodies)
     bool ok = true;
     if (bodies <= w->room) return true;
     TABLE_GROW(ok, w->body, w->bodies, room);
+    w->rigid.body = w->body;
     ok = ok && grow_rigid(&w->rigid, w->bodies, room);
     if (ok) w->room = room;
     return ok;
@@ -485,8 +467,6 @@ static void start_body(world *w, int b)
     const body *x = &w->body[b];
     t->now[b] = (solver_body){ .radius = -1 };
     t->ball[b] = (sphere){ { 0, 0, 0 }, -1 };
-    int family = t->body[b].family;
-    t->body[b] = (cache_body){ NULL, NULL, 0, family, 0 };
     t->ahead[b] = (prediction){ .reach = 0 };
     t->reach[b] = 0;
     t->moves[b] = t->dynamic[b] = 0;
@@ -497,10 +477,9 @@ static void start_body(world *w, int b)
     sleep_forget(&w->sleep, b);
     assert(!w->sleep.asleep[b]);
     world_notice(w, b);
-    w->is_still = t->is_weighed = false;
+    w->is_still = false;
     if (body_is_soft(x)) return;
     t->dynamic[b] = !body_is_fixed(x);
-    t->body[b] = (cache_body){ x->shape, x->rigid, x->inner, family, x->rides };
     t->now[b].frame = rigid4_frame(w->pool.at + x->first);
     t->asked[b] = t->began[b] = t->now[b].frame;
     t->now[b].radius = SWELLS * x->rigid->reach;
@@ -520,21 +499,6 @@ void world_place(world *w, int b, const placement *where)
     for (int k = x->next; k > 0; k = w->body[k - 1].next) world_renew(w, k - 1);
 }
 
-void world_weigh(world *w)
-{
-    rigid_tables *t = &w->rigid;
-    if (t->is_weighed) return;
-    t->is_weighed = true;
-    t->restitution = w->options.restitution;
-    for (int k = 0; k < w->planes; k++)
-        t->restitution = real_max(w->wall[k].restitution, t->restitution);
-    for (int b = 0; b < w->bodies; b++) {
-        if (!body_is_gone(&w->body[b]))
-            t->restitution = real_max(t->material[b].restitution,
-                                      t->restitution);
-    }
-}
-
 void world_renew(world *w, int b)
 {
     cache_forget(&w->rigid.cache, &b, 1);
@@ -545,25 +509,20 @@ void world_renew(world *w, int b)
 
 //> world-add
 // A free place whose particles are enough, and as few as there are; or a new
-// one.
-static int find_place(const world *w, int particles)
+// one.  (A piece has no particles, and takes no place that has.)
+static int find_place(world *w, int particles)
 {
+    while (w->free_place < w->bodies && !body_is_gone(&w->body[w->free_place]))
+        w->free_place++;
     int best = w->bodies;
-    for (int b = 0; b < w->bodies && w->gone > 0; b++) {
+    for (int b = w->free_place; b < w->bodies && w->gone > 0; b++) {
         const body *x = &w->body[b];
-        if (!body_is_gone(x) || x->room < particles) continue;
+        if (!body_is_gone(x) || x->room < particles
+            || (particles == 0 && x->room > 0)) continue;
         if (best == w->bodies || x->room < w->body[best].room) best = b;
+        if (x->room == particles) break;
     }
     return best;
-}
-
-// The first one from b on that has so many: four for a part, none for a piece.
-static int first_place(const world *w, int b, int particles)
-{
-    if (w->gone == 0) return w->bodies;
-    while (b < w->bodies
-           && !(body_is_gone(&w->body[b]) && w->body[b].room == particles)) b++;
-    return b;
 }
 
 static body body_made(const world *w, int entry, const placement *where)
@@ -612,7 +571,6 @@ static status enter_body(world *w, body x, int b)
     else               w->bodies++;
     w->shape[x.entry].bodies++;
     w->rigid.material[b] = material_of(w);
-    w->rigid.body[b].family = 0;
     w->rigid.drive[b] = (body_drive){ .velocity = { 0, 0, 0 } };
     w->softs += body_is_soft(&x);
     w->dynamic_bodies += !body_is_static(&x);
@@ -629,8 +587,7 @@ static status put_body(world *w, const shape *s, placement where, bool is_part,
     if (!done.ok) return done;
     body x = body_made(w, entry, &where);
     int n = body_particles(&x);
-    if (is_part) w->part_place = first_place(w, w->part_place, FOUR);
-    int b = is_part ? w->part_place : find_place(w, n);
+    int b = find_place(w, n);
     done = enter_body(w, x, b);
     if (!done.ok) return done;
     while (w->pool.count < w->body[b].first + n)
@@ -662,7 +619,7 @@ status world_add_part(world *w, const shape *s, vec3 x, int of, int *number)
     status done = put_body(w, s, where, true, number);
     if (!done.ok) return done;
     w->rigid.material[*number] = w->rigid.material[of];
-    w->rigid.body[*number].family = w->rigid.body[of].family;
+    w->body[*number].family = w->body[of].family;
     w->body[*number].group = w->body[of].group;
     w->body[*number].mask = w->body[of].mask;
     w->body[*number].is_part = true;
@@ -682,7 +639,7 @@ status world_add_piece(world *w, const shape *s, int of, int *number)
     status done = enter_shape(w, s, true, &entry);
     if (!done.ok) return done;
     body x = body_made(w, entry, &where), *whole = &w->body[of];
-    int b = first_place(w, 0, 0), next = whole->next;
+    int b = find_place(w, 0), next = whole->next;
     x.rides = of + 1;
     x.round = 0;
     x.next = next;
@@ -692,7 +649,7 @@ status world_add_piece(world *w, const shape *s, int of, int *number)
     whole->rides = of + 1;
     whole->round = 0;
     whole->next = b + 1;
-    w->is_choosy = w->has_pieces = true;
+    w->has_pieces = true;
     start_body(w, b);
     *number = b;
     return done;
@@ -707,7 +664,7 @@ static void leave_shape(world *w, int entry)
 {
     if (--w->shape[entry].bodies > 0) return;
     free_shape(&w->shape[entry]);
-    w->part_entry = int_min(w->part_entry, entry);
+    w->free_entry = int_min(w->free_entry, entry);
 }
 
 static void leave_joints(world *w, int b)
@@ -744,7 +701,7 @@ static void leave(world *w, int b)
         w->inverse_mass[i] = 0;
     }
     w->gone++;
-    w->part_place = int_min(w->part_place, b);
+    w->free_place = int_min(w->free_place, b);
     start_body(w, b);
 }
 
@@ -771,7 +728,7 @@ void world_free(world *w)
     rigid_tables *r = &w->rigid;
     for (int k = 0; k < w->shapes; k++) free_shape(&w->shape[k]);
     void *owned[] = { w->body, w->plane, w->wall, w->shape, w->inverse_mass,
-                      w->owner, r->body, r->velocity, r->moved, r->heard };
+                      w->owner, r->velocity, r->moved, r->heard };
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) free(owned[i]);
 #define FREE(table) free(r->table);
     RIGID_TABLES(FREE, FREE, FREE)

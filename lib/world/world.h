@@ -211,7 +211,7 @@ enum { RUNGS = 16 };    // tuned, rungs
 // move.  In `now` and its neighbours a deformable body is immovable, and has a
 // ball of negative radius.
 typedef struct {
-    cache_body  *body;      // [bodies]
+    const struct body *body;    // [bodies] the world's
     char        *dynamic;   // [bodies] rigid, and not static
     char        *moves;     // [bodies] and neither asleep nor kinematic and
                             // at rest
@@ -244,8 +244,6 @@ typedef struct {
     bool is_loaded;         // some are not 0
     material    *material;  // [bodies] deformable ones, too
     body_drive  *drive;     // [bodies]
-    bool is_weighed;        // the next is that of the bodies there are
-    real restitution;       // the largest, also of the planes
     substep_choice *choice; // [bodies] of the island that it was in last
     island      *island;    // [bodies]
     char        *rung;      // [bodies]
@@ -264,7 +262,7 @@ typedef struct {
                                         // it; < 0: they have no lines yet
 } rigid_tables;
 
-// All that have a place for each body, but for `body`: what a saved world keeps of
+// All that have a place for each body: what a saved world keeps of
 // them, what must be zeros where a frame begins, and what a step fills before it
 // reads it.
 #define RIGID_TABLES(KEPT, ZEROS, FILLED)                                     \
@@ -287,8 +285,8 @@ typedef struct world {
     int  bodies;            // places of bodies,
     int  gone;              // and how many of them are free
     int  room;              // for so many there are tables
-    int  part_place, part_entry;    // none before that place is free for a part,
-                            // and none before that one for its shape
+    int  free_place, free_entry;    // no place of a body before that one is free,
+                            // and none of a shape
     int  planes, shapes, softs;     // places of planes; softs: deformable bodies
     int  plane_room, wall_room, shape_room;     // for so many there are tables
     struct body *body;
@@ -305,10 +303,9 @@ typedef struct world {
                             // has been done to the world since then
     int  dynamic_bodies;    // neither static nor kinematic
     int  kinematic_bodies;
-    bool is_choosy;         // some bodies do not meet all others
     bool has_pieces;        // some bodies have had several
     real most_gravity;      // 1, the largest share of the world's gravity that
-    bool is_uneven;         // acts on a body; it is not the same for all
+                            // acts on a body
     bool has_substeps;      // options said how many
     rigid_tables rigid;
     linkage      joints;
@@ -430,8 +427,7 @@ static inline real rigid_since(const world *w, int b)
 // m/s^2, on rigid body b.
 static inline vec3 body_gravity(const world *w, int b)
 {
-    return w->is_uneven ? vec3_scale(w->body[b].gravity, w->options.gravity)
-                        : w->options.gravity;
+    return vec3_scale(w->body[b].gravity, w->options.gravity);
 }
 
 // Kinematic, and not at rest.
@@ -463,10 +459,6 @@ void world_place(world *w, int b, const placement *where);
 
 // A body is another than it was: it counts as new.
 void world_renew(world *w, int b);
-
-// Finds the most elastic body again, if one has come, gone or changed since.  A
-// step does so as it begins: n bodies are added in O(n).
-void world_weigh(world *w);
 
 // Body a comes near body b: if one of them sleeps and the other did not lie
 // still in the last frame, the sleeper wakes, in time to take its part of the

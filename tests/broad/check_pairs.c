@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "contact.h"
 #include "pairs.h"
 #include "random.h"
 #include "scarce.h"
@@ -369,8 +370,10 @@ START_TEST(planes_are_listed_for_what_is_near_them)
     query.planes = 2;
     ck_assert(update());
     ck_assert_int_eq(list.walls, 3);
-    const int want[3][2] = { { 0, 0 }, { 2, 0 }, { 2, 1 } };
-    ck_assert(memcmp(list.wall, want, sizeof want) == 0);
+    const int want[3][2] = { { 0, contact_with_plane(0) },
+                             { 2, contact_with_plane(0) },
+                             { 2, contact_with_plane(1) } };
+    ck_assert(memcmp(list.pair + list.count, want, sizeof want) == 0);
 }
 END_TEST
 

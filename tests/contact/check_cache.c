@@ -27,14 +27,13 @@ static shape kind[KINDS];
 static rigid4 rigid[KINDS];
 
 static int bodies, pairs, planes;
-static cache_body body[BODIES];
+static struct body of[BODIES];
 static solver_body now[BODIES];
 static rigid_frame middle[BODIES];
 static prediction ahead[BODIES];
 static char moves[BODIES];
 static int number[BODIES];
-static int pair[BODIES * BODIES][2];
-static int body_wall[6 * BODIES][2];
+static int pair[BODIES * (BODIES + 6)][2];
 static pair_list list;
 static plane wall[6];
 static cache_frame frame;
@@ -70,7 +69,7 @@ static void set_up(void)
     for (int k = 0; k < KINDS; k++) ck_assert(rigid4_build(&rigid[k],
                                                            &kind[k]).ok);
     bodies = pairs = 0;
-    frame = (cache_frame){ .body = body, .now = now, .asked = middle,
+    frame = (cache_frame){ .body = of, .now = now, .asked = middle,
         .ahead = ahead, .moves = moves, .awake = number, .list = &list,
         .plane = wall, .stay = 0.03 };
 }
@@ -87,7 +86,7 @@ static void tear_down(void)
 // Body b stands at `at`, as at rest.
 static void stand(int b, vec3 at)
 {
-    const rigid4 *r = body[b].rigid;
+    const rigid4 *r = of[b].rigid;
     particle p[FOUR];
     for (int k = 0; k < FOUR; k++) p[k].position = vec3_add(at, r->at[k]);
     now[b].frame = rigid4_frame(p);
@@ -98,7 +97,8 @@ static int add(int k, vec3 at, real reach)
 {
     int b = bodies++;
     ck_assert_int_lt(b, BODIES);
-    body[b] = (cache_body){ &kind[k], &rigid[k], shape_inner(&kind[k]), 0, 0 };
+    of[b] = (struct body){ .shape = &kind[k], .rigid = &rigid[k],
+                            .inner = shape_inner(&kind[k]) };
     now[b] = (solver_body){ .radius = rigid[k].reach };
     stand(b, at);
     ahead[b] = (prediction){ .turn = reach, .reach = reach };
@@ -131,12 +131,13 @@ static void add_floor(void)
 // Every body and every plane.
 static void list_plane_pairs(void)
 {
-    list.wall = body_wall;
+    list.pair = pair;
     list.walls = 0;
     for (int b = 0; b < bodies; b++)
         for (int k = 0; k < planes; k++) {
-            body_wall[list.walls][0] = b;
-            body_wall[list.walls++][1] = k;
+            int *wall_pair = pair[list.count + list.walls++];
+            wall_pair[0] = b;
+            wall_pair[1] = contact_with_plane(k);
         }
 }
 
@@ -146,7 +147,7 @@ static status fill(contact_cache *c)
     *c = (contact_cache){ .free_entry = -1 };
     status done = status_ok();
     for (int b = 0; b < bodies && done.ok; b++)
-        done = cache_add(c, b, body[b].rigid ? body[b].shape->particles : 0);
+        done = cache_add(c, b, of[b].rigid ? of[b].shape->particles : 0);
     if (!done.ok) cache_free(c);
     return done;
 }

@@ -25,7 +25,7 @@ enum { A = 0 };         // slides: a cube of 1 m
 static shape cube, tile;
 static rigid4 cube4, tile4;
 static int bodies;
-static cache_body body[BODIES];
+static struct body of[BODIES];
 static solver_body now[BODIES];
 static prediction ahead[BODIES];
 static char moves[BODIES];
@@ -33,7 +33,7 @@ static int number[BODIES];
 static plane ground;
 static cache_frame frame;
 static contact_cache cache;
-static cache_pair pair[PAIRS], wall[1];
+static cache_pair pair[PAIRS + 1];
 static cache_entry entry[PAIRS + 1];
 static contact was[PAIRS + 1];
 static rigid_frame placed[BODIES];
@@ -48,7 +48,7 @@ static int add(bool is_tile, vec3 at)
     const shape *s = is_tile ? &tile : &cube;
     particle p[FOUR];
     for (int k = 0; k < FOUR; k++) p[k].position = vec3_add(at, r->at[k]);
-    body[b] = (cache_body){ s, r, shape_inner(s), 0, 0 };
+    of[b] = (struct body){ .shape = s, .rigid = r, .inner = shape_inner(s) };
     placed[b] = rigid4_frame(p);
     now[b] = (solver_body){ .radius = r->reach, .frame = placed[b] };
     ahead[b] = (prediction){ .reach = is_tile ? 0 : 0.02 };
@@ -68,11 +68,10 @@ static void set_up(void)
     bodies = 0;
     cache = (contact_cache){
         .pairs = { .pair = pair },
-        .walls = { .pair = wall },
         .entry = entry, .was = was, .placed = placed, .placing = placing,
         .vertex = vertex, .first = first, .last = end_of,
         .room = BODIES };
-    frame = (cache_frame){ .body = body, .now = now, .ahead = ahead,
+    frame = (cache_frame){ .body = of, .now = now, .ahead = ahead,
                            .moves = moves, .awake = number,
                            .plane = &ground, .stay = 0.03 };
     memset(was, 0, sizeof was);
@@ -91,8 +90,8 @@ static void tear_down(void)
 // Vertex v of a box is at +x, +y, +z for bits 0, 1, 2.
 static contact_point touch_of(int a, int va, int b, int vb)
 {
-    return (contact_point){ .local_a = body[a].rigid->local[va],
-                            .local_b = body[b].rigid->local[vb], .own = 1 };
+    return (contact_point){ .local_a = of[a].rigid->local[va],
+                            .local_b = of[b].rigid->local[vb], .own = 1 };
 }
 
 // Body A has been found to touch b along n, with its vertices va at b's vb.
@@ -268,7 +267,7 @@ START_TEST(piece_that_moves_away_hides_nothing)
         now[one].is_driven = true;
         if (k == 1) ahead[one].angle = 0.1;
         else        ahead[one].way = vec3_make(0, 0, 0.1);
-        if (k == 2) body[one].family = body[next].family = 7;
+        if (k == 2) of[one].family = of[next].family = 7;
         found_below(one);
         contact *c = found_ahead(next);
         mend();
@@ -286,9 +285,9 @@ START_TEST(side_behind_a_plane_is_met_from_above)
     *on = (contact){ .a = A, .b = contact_with_plane(0), .piece_a = A,
                      .piece_b = contact_with_plane(0), .count = 1,
                      .normal = UP };
-    wall[0] = (cache_pair){ .key = { A, 0 }, .entry = PAIRS, .is_asked = true,
-                            .count = 1 };
-    cache.walls.count = 1;
+    pair[cache.pairs.count++] = (cache_pair){
+        .key = { A, contact_with_plane(0) }, .entry = PAIRS, .is_asked = true,
+        .count = 1 };
     mend();
     ck_assert(c->count == 0 || c->normal.y > 0.99);
 }
@@ -330,8 +329,8 @@ static void lay_two(int family, int other, real lower)
 {
     int one = add(true, vec3_make(-1, -0.5, 0));
     int next = add(true, vec3_make(1, -0.5 - lower, 0));
-    body[one].family = family;
-    body[next].family = other;
+    of[one].family = family;
+    of[next].family = other;
     found_below(one);
     found_below(next);
 }
@@ -377,7 +376,7 @@ START_TEST(load_of_a_piece_that_was_left_goes_on)
         cache.pairs.count = 0;
         lay_two(7, 7, 0);
         int left = add(true, vec3_make(-3, -0.5, 0));
-        body[left].family = family[k];
+        of[left].family = family[k];
         found(left, UP, 0, NULL, NULL);
         was[2] = (contact){ .piece_a = A, .piece_b = left, .count = 1,
                             .normal = k < 2 ? UP : BACK, .twist = 0.5 };

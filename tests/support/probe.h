@@ -11,13 +11,6 @@
 #include "forget.h"
 #include "world.h"
 
-// The largest restitution; NAN while it has not been asked for since the last
-// body came or went.
-static inline real probe_restitution(const world *w)
-{
-    return w->rigid.is_weighed ? w->rigid.restitution : (real)NAN;
-}
-
 // --- Sleep -------------------------------------------------------------------
 
 static inline bool probe_sleeps(const world *w, int b)
@@ -113,7 +106,7 @@ static inline bool probe_is_dynamic(const world *w, int b)
 // Can it be asked where it touches?
 static inline bool probe_is_rigid(const world *w, int b)
 {
-    return w->rigid.body[b].rigid;
+    return w->body[b].rigid;
 }
 
 // m, how far its ball may move in this frame.

@@ -387,6 +387,29 @@ START_TEST(what_is_put_back_keeps_its_angular_momentum)
 }
 END_TEST
 
+// A bat that goes its way at 3 m/s meets a ball at rest.  As the bat has it, the ball
+// comes at 3 m/s and goes at e times that: so it leaves at (1 + e) 3 m/s.
+// Rejects: a bound on energy that leaves out that what is driven may bounce.
+START_TEST(ball_leaves_an_elastic_bat_at_twice_its_speed)
+{
+    const double most[] = { 0, 0.5, 1 };
+    for (int k = 0; k < COUNT(most); k++) {
+        tumble_world *w = weightless();
+        tumble_shape s = tumble_shape_sphere(w, 0.5, 1);
+        tumble_body ball = thrown(w, s, tumble_v(0, 0, 0), tumble_v(0, 0, 0));
+        tumble_shape flat = tumble_shape_box(w, tumble_v(0.5, 2, 2), 1);
+        tumble_body bat = kept(w, flat, tumble_v(-2, 0, 0), TUMBLE_KINEMATIC);
+        ck_assert(tumble_body_set_material(w, ball, 0, most[k]));
+        ck_assert(tumble_body_set_velocity(w, bat, tumble_v(3, 0, 0),
+                                           tumble_v(0, 0, 0)));
+        for (int f = 0; f < 60; f++) tumble_world_step(w);
+        double v = tumble_body_velocity(w, ball).x, want = 3 * (1 + most[k]);
+        ck_assert_msg(fabs(v - want) < 1e-6, "%g: %g m/s, not %g", most[k], v, want);
+        tumble_world_free(w);
+    }
+}
+END_TEST
+
 int main(void)
 {
     const TTest *const tests[] = {
@@ -400,6 +423,7 @@ int main(void)
         an_overlap_of_the_start_is_not_thrown_out,
         what_passes_an_edge_is_not_stopped_and_what_meets_a_side_is,
         what_is_put_back_keeps_its_angular_momentum,
+        ball_leaves_an_elastic_bat_at_twice_its_speed,
         NULL
     };
     return suite_run((suite){ .name = "bounds", .tests = tests });

@@ -375,32 +375,9 @@ START_TEST(anything_may_come_and_go)
 }
 END_TEST
 
-// Rejects: all bodies are looked at whenever one comes, which for n of them takes
-// n^2; and the restitution of bodies that are gone.
-START_TEST(bodies_are_weighed_once_a_step)
-{
-    int b, dull = add_at(&slab, 5, 3, 0);
-    ck_assert(world_set_material(&w, dull, (material){ -1, 0.2 }).ok);
-    for (int k = 0; k < 20; k++) {
-        b = add_at(&ball, 2 * k, 9, 0);
-        world_set_filter(&w, b, 1, ~0u);
-        ck_assert(world_set_material(&w, b, (material){ -1, 0.7 }).ok);
-        ck_assert(isnan(probe_restitution(&w)));
-    }
-    world_step(&w);
-    ck_assert(probe_restitution(&w) == 0.7);
-    for (int k = 0; k < w.bodies; k++)
-        if (k != dull) world_remove(&w, k);
-    ck_assert(isnan(probe_restitution(&w)));
-    world_step(&w);
-    ck_assert(probe_restitution(&w) == 0.2);
-}
-END_TEST
-
 int main(void)
 {
     const TTest *const tests[] = {
-        bodies_are_weighed_once_a_step,
         bodies_come_and_go_on_the_same_memory,
         places_and_shapes_are_used_again,
         body_without_memory_is_refused_and_nothing_has_changed,

@@ -159,12 +159,10 @@ static void cross_leaves(pair_search *q, int one, int other)
     }
 }
 
-// It calls itself no deeper than an int has bits.  Stops when there are more pairs
-// than room.
+// It calls itself no deeper than an int has bits.
 static void cross(pair_search *q, int i, int k)
 {
     const aabb_tree *t = &q->s->tree;
-    if (q->out.found > q->out.capacity) return;
     if (!aabbs_meet(&t->node[i], &t->node[k])) return;
     if (i >= t->leaves) {
         cross_leaves(q, i - t->leaves, k - t->leaves);
@@ -246,11 +244,7 @@ int broad_pairs(broad *s, const sphere *ball, const char *moves,
     plant(s, ball);
     for (int b = 0; b < s->bodies; b++) s->first[b] = 0;
     cross(&q, 1, 1);
-    // Too many to be kept: looking at every pair finds them in order, so that it
-    // keeps the first.
-    if (q.out.found > capacity)
-        return broad_pairs_all(ball, moves, s->bodies, out, capacity);
-    if (q.out.found > 0) sort_pairs(s, out);
+    if (q.out.found > 0 && q.out.found <= capacity) sort_pairs(s, out);
     return q.out.found;
 }
 //<

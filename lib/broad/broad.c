@@ -152,9 +152,7 @@ static void cross_leaves(pair_search *q, int one, int other)
         int k = one == other ? i + 1 : other * A_LEAF;
         for (; k < aabb_tree_end(t, other); k++) {
             int a = t->number[i], b = t->number[k];
-            if (!is_pair(q, a, b)) continue;
-            add_pair(&q->out, a, b);
-            q->s->first[int_min(a, b)]++;
+            if (is_pair(q, a, b)) add_pair(&q->out, a, b);
         }
     }
 }
@@ -177,7 +175,7 @@ static void cross(pair_search *q, int i, int k)
 
 //> broad-order-pairs
 //>   Pairs stand in one order, whatever the tree found first.
-void broad_order(int (*pair)[2], int n)
+static void order_few(int (*pair)[2], int n)
 {
     int gap = 1;
     while (gap < n / 9) gap = 3 * gap + 1;
@@ -190,7 +188,7 @@ void broad_order(int (*pair)[2], int n)
         }
 }
 
-// Sorts the pairs by a, then by b, where they lie.  The counts in first tell
+// Many pairs are sorted by a, then by b, where they lie.  The counts in first tell
 // where each a's pairs begin.  A pair that lies among another's is exchanged
 // with the first there that may be out of place, and is then home for good.
 static void sort_pairs(broad *s, int (*pair)[2])
@@ -209,8 +207,19 @@ static void sort_pairs(broad *s, int (*pair)[2])
             SWAP(int, here[0], home[0]);
             SWAP(int, here[1], home[1]);
         }
-        broad_order(pair + s->first[a], end - s->first[a]);
+        order_few(pair + s->first[a], end - s->first[a]);
     }
+}
+
+void broad_order(broad *s, int (*pair)[2], int n)
+{
+    if (n < s->bodies) {
+        order_few(pair, n);
+        return;
+    }
+    for (int b = 0; b < s->bodies; b++) s->first[b] = 0;
+    for (int k = 0; k < n; k++) s->first[pair[k][0]]++;
+    sort_pairs(s, pair);
 }
 //<
 
@@ -242,9 +251,8 @@ int broad_pairs(broad *s, const sphere *ball, const char *moves,
     pair_search q = { s, ball, moves, { out, capacity, 0 } };
     if (s->bodies == 0) return 0;
     plant(s, ball);
-    for (int b = 0; b < s->bodies; b++) s->first[b] = 0;
     cross(&q, 1, 1);
-    if (q.out.found > 0 && q.out.found <= capacity) sort_pairs(s, out);
+    if (q.out.found <= capacity) broad_order(s, out, q.out.found);
     return q.out.found;
 }
 //<

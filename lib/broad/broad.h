@@ -57,7 +57,7 @@ int broad_near(const broad *s, const sphere *ball, const char *moves,
                int found);
 
 // Sorts n pairs by a, then by b, where they lie.
-void broad_order(int (*pair)[2], int n);
+void broad_order(broad *s, int (*pair)[2], int n);
 static inline bool broad_is_before(const int x[2], const int y[2])
 {
     return x[0] < y[0] || (x[0] == y[0] && x[1] < y[1]);

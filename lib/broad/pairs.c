@@ -184,7 +184,7 @@ static void list_some(pair_list *l, const pair_query *q, int *lost)
     if (n > l->fresh_capacity && TABLE_RENEW(l->fresh, l->fresh_capacity, n))
         n = find_fresh(l, q);
     int found = int_min(n, l->fresh_capacity);
-    broad_order(l->fresh, found);
+    broad_order(&l->broad, l->fresh, found);
     drop_stale_pairs(l);
     bool ok = true;
     if (l->count + found > room) {

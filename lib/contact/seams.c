@@ -298,8 +298,9 @@ static bool carry_load(const slider *s, const side *x, const contact *was,
     contact *t = x->contact;
     bool is_a = t->piece_a == s->a, was_a = was->piece_a == s->a;
     real sign = is_a == was_a ? 1 : -1;
-    if (!(vec3_dot(t->normal, vec3_scale(sign, was->normal)) >= alike)
-        || t->count == 0) return false;
+    if (t->count == 0 || was->count == 0
+        || !(vec3_dot(t->normal, vec3_scale(sign, was->normal)) >= alike))
+        return false;
     for (int k = 0; k < was->count; k++) {
         const contact_point *p = &was->point[k];
         vec3 local = was_a ? p->local_a : p->local_b;

@@ -152,19 +152,15 @@ static void cross_leaves(pair_search *q, int one, int other)
         int k = one == other ? i + 1 : other * A_LEAF;
         for (; k < aabb_tree_end(t, other); k++) {
             int a = t->number[i], b = t->number[k];
-            if (!is_pair(q, a, b)) continue;
-            add_pair(&q->out, a, b);
-            q->s->first[int_min(a, b)]++;
+            if (is_pair(q, a, b)) add_pair(&q->out, a, b);
         }
     }
 }
 
-// It calls itself no deeper than an int has bits.  Stops when there are more pairs
-// than room.
+// It calls itself no deeper than an int has bits.
 static void cross(pair_search *q, int i, int k)
 {
     const aabb_tree *t = &q->s->tree;
-    if (q->out.found > q->out.capacity) return;
     if (!aabbs_meet(&t->node[i], &t->node[k])) return;
     if (i >= t->leaves) {
         cross_leaves(q, i - t->leaves, k - t->leaves);
@@ -179,7 +175,7 @@ static void cross(pair_search *q, int i, int k)
 
 //> broad-order-pairs
 //>   Pairs stand in one order, whatever the tree found first.
-void broad_order(int (*pair)[2], int n)
+static void order_few(int (*pair)[2], int n)
 {
     int gap = 1;
     while (gap < n / 9) gap = 3 * gap + 1;
@@ -192,7 +188,7 @@ void broad_order(int (*pair)[2], int n)
         }
 }
 
-// Sorts the pairs by a, then by b, where they lie.  The counts in first tell
+// Many pairs are sorted by a, then by b, where they lie.  The counts in first tell
 // where each a's pairs begin.  A pair that lies among another's is exchanged
 // with the first there that may be out of place, and is then home for good.
 static void sort_pairs(broad *s, int (*pair)[2])
@@ -211,8 +207,19 @@ static void sort_pairs(broad *s, int (*pair)[2])
             SWAP(int, here[0], home[0]);
             SWAP(int, here[1], home[1]);
         }
-        broad_order(pair + s->first[a], end - s->first[a]);
+        order_few(pair + s->first[a], end - s->first[a]);
     }
+}
+
+void broad_order(broad *s, int (*pair)[2], int n)
+{
+    if (n < s->bodies) {
+        order_few(pair, n);
+        return;
+    }
+    for (int b = 0; b < s->bodies; b++) s->first[b] = 0;
+    for (int k = 0; k < n; k++) s->first[pair[k][0]]++;
+    sort_pairs(s, pair);
 }
 //<
 
@@ -244,13 +251,8 @@ int broad_pairs(broad *s, const sphere *ball, const char *moves,
     pair_search q = { s, ball, moves, { out, capacity, 0 } };
     if (s->bodies == 0) return 0;
     plant(s, ball);
-    for (int b = 0; b < s->bodies; b++) s->first[b] = 0;
     cross(&q, 1, 1);
-    // Too many to be kept: looking at every pair finds them in order, so that it
-    // keeps the first.
-    if (q.out.found > capacity)
-        return broad_pairs_all(ball, moves, s->bodies, out, capacity);
-    if (q.out.found > 0) sort_pairs(s, out);
+    if (q.out.found <= capacity) broad_order(s, out, q.out.found);
     return q.out.found;
 }
 //<

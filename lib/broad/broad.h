@@ -38,10 +38,10 @@ status broad_grow(broad *s, int bodies);
 void   broad_free(broad *s);            // an empty or zeroed one is fine
 
 // Builds the tree of all these balls.  Writes the pairs (a, b), a < b, of those
-// that touch or overlap, where at least one moves, sorted by a, then by b, to out:
-// the first of them in that order, at most capacity.  Returns how many there are
-// (INT_MAX if there are more).  A ball of negative radius meets none; one that is
-// NaN meets every other (it is reported, never lost).
+// that touch or overlap, where at least one moves, sorted by a, then by b, to out.
+// Returns how many there are (INT_MAX if there are more); if that is more than
+// capacity, out has no order, and is to be filled again.  A ball of negative radius
+// meets none; one that is NaN meets every other (it is reported, never lost).
 int broad_pairs(broad *s, const sphere *ball, const char *moves,
                 int (*out)[2], int capacity);
 
@@ -57,13 +57,14 @@ int broad_near(const broad *s, const sphere *ball, const char *moves,
                int found);
 
 // Sorts n pairs by a, then by b, where they lie.
-void broad_order(int (*pair)[2], int n);
+void broad_order(broad *s, int (*pair)[2], int n);
 static inline bool broad_is_before(const int x[2], const int y[2])
 {
     return x[0] < y[0] || (x[0] == y[0] && x[1] < y[1]);
 }
 
-// The same answer by looking at every pair (the paper's way).
+// The same answer by looking at every pair (the paper's way).  Of more than capacity
+// it writes the first.
 int broad_pairs_all(const sphere *ball, const char *moves, int bodies,
                     int (*out)[2], int capacity);
 

@@ -140,6 +140,10 @@ static void list_all(pair_list *l, const pair_query *q, int *lost)
     int n = broad_pairs(&l->broad, l->listed, q->moves, l->pair, l->capacity);
     if (n > l->capacity && TABLE_RENEW(l->pair, l->capacity, n))
         n = broad_pairs(&l->broad, l->listed, q->moves, l->pair, l->capacity);
+    // Where memory is refused, looking at every pair finds them in order, so that
+    // it keeps the first.
+    if (n > l->capacity)
+        broad_pairs_all(l->listed, q->moves, l->bodies, l->pair, l->capacity);
     l->count = int_min(n, l->capacity);
     *lost = n - l->count;
     list_plane_pairs(l, q, lost);
@@ -184,7 +188,7 @@ static void list_some(pair_list *l, const pair_query *q, int *lost)
     if (n > l->fresh_capacity && TABLE_RENEW(l->fresh, l->fresh_capacity, n))
         n = find_fresh(l, q);
     int found = int_min(n, l->fresh_capacity);
-    broad_order(l->fresh, found);
+    broad_order(&l->broad, l->fresh, found);
     l->walls = 0;               // they are all found again
     pair_list_filter(l, is_still_good, l);
     make_pairs(l, l->count + found);

@@ -555,18 +555,19 @@ static void query_plane_pair(contact_cache *c, const cache_frame *f, cache_pair 
 static void query_pair(contact_cache *c, const cache_frame *f, cache_pair *p)
 {
     cache_entry *e = &c->entry[p->entry];
-    contact was, *now = &e->contact;
+    contact own, *now = &e->contact, *was = &own;
     bool bequeaths = p->count > 0;
-    if (bequeaths) was = *now;
+    // Seams that find a contact on a floor again ask what it was.
+    if (now->piece_b >= 0 && seams_slider(f, now->piece_a, now->piece_b) >= 0)
+        was = &c->was[p->entry];
+    if (bequeaths) *was = *now;
+    else           was->count = 0;
     p->near = -HUGE_VAL;
     if (now->piece_b < 0) query_plane_pair(c, f, p, now);
     else                  query_bodies(c, f, p, e);
     p->count = (signed char)now->count;
     p->is_merged = false;
-    // For seams that find a contact on a floor again.
-    if (now->piece_b >= 0 && seams_slider(f, now->piece_a, now->piece_b) >= 0)
-        c->was[p->entry] = bequeaths ? was : (contact){ .count = 0 };
-    if (bequeaths) contact_inherit(now, &was);
+    if (bequeaths) contact_inherit(now, was);
     else           contact_clear(now);
 }
 //<

@@ -189,14 +189,13 @@ static bool is_covered(const slider *s, const side *b, int c)
     real flush = flush_of(s, b->b), most;
     if (!stay_together(s, b->b, c)) return false;
     if (!juts_out(s, c, b->n, b->height + flush)) return false;
+    for (int k = 0; k < b->points; k++)
+        if (!holds_point(s, c, b->at[k], flush)) return false;
     collider x = cache_collider(s->c, s->f, b->b);
     int face = face_towards(&x, b->n, &most);
-    for (int k = 0; k < b->points; k++) {
-        vec3 p = b->at[k];
-        if (!holds_point(s, c, p, flush)) return false;
-        if (face >= 0) p = inwards(&x, face, p, 4 * flush);
-        if (!holds_point(s, c, p, flush)) return false;
-    }
+    for (int k = 0; k < b->points && face >= 0; k++)
+        if (!holds_point(s, c, inwards(&x, face, b->at[k], 4 * flush), flush))
+            return false;
     return b->points > 0;
 }
 
@@ -299,8 +298,9 @@ static bool carry_load(const slider *s, const side *x, const contact *was,
     contact *t = x->contact;
     bool is_a = t->piece_a == s->a, was_a = was->piece_a == s->a;
     real sign = is_a == was_a ? 1 : -1;
-    if (!(vec3_dot(t->normal, vec3_scale(sign, was->normal)) >= alike)
-        || t->count == 0) return false;
+    if (t->count == 0 || was->count == 0
+        || !(vec3_dot(t->normal, vec3_scale(sign, was->normal)) >= alike))
+        return false;
     for (int k = 0; k < was->count; k++) {
         const contact_point *p = &was->point[k];
         vec3 local = was_a ? p->local_a : p->local_b;
@@ -696,14 +696,11 @@ static void add_side(slider *s, int k)
 static void correct_slider(slider *s)
 {
     contact_cache *c = s->c;
-    int is_new = 0;
     for (int i = c->first[s->a]; i < c->last[s->a] && s->sides < s->room; i++)
         add_side(s, c->met[i]);
-    for (int i = 0; i < s->sides; i++) {
-        is_new |= s->side[i].is_new;
+    for (int i = 0; i < s->sides; i++)
         if (s->side[i].is_new) straighten(s, &s->side[i]);
-    }
-    if (!is_new || s->sides < 2) return;
+    if (s->sides < 2) return;
     for (int i = 0; i < s->sides; i++) find_side_points(s, &s->side[i]);
     correct_sides(s);
     merge_floors(s);
@@ -726,12 +723,24 @@ static void correct_large(slider *s, int sides)
     free(of);
 }
 
+// Has body a come on a side in this frame?  Where all are as they were, so are their
+// seams.
+static bool has_new_side(const contact_cache *c, const cache_frame *f, int a)
+{
+    for (int i = c->first[a]; i < c->last[a]; i++) {
+        const cache_pair *p = &c->pairs.pair[int_max(c->met[i], 0)];
+        if (c->met[i] >= 0 && is_new_on_floor(f, p)
+            && seams_slider(f, p->key[0], p->key[1]) == a) return true;
+    }
+    return false;
+}
+
 static void correct_body_seams(contact_cache *c, const cache_frame *f, int a)
 {
     side few[FEW_SIDES];
     int of[FEW_SIDES], sides = c->last[a] - c->first[a];
     slider s = { c, f, a, 0, FEW_SIDES, few, of };
-    if (sides == 0 || !f->moves[a]) return;
+    if (!f->moves[a] || !has_new_side(c, f, a)) return;
     if (f->has_parts && sides > FEW_SIDES) correct_large(&s, sides);
     else correct_slider(&s);
 }

@@ -357,7 +357,7 @@ static bool wake_pair(world *w, int a, int b, real *passed)
 {
     int x = body_whole(&w->body[a], a), y = body_whole(&w->body[b], b);
     real ways = w->rigid.reach[a] + w->rigid.reach[b];
-    bool wakes = w->sleep.asleep[x] != w->sleep.asleep[y]
+    bool wakes = world_wakes_near(w, x, y)
         && may_meet(w, a, b, ways + *passed) && world_wake_near(w, x, y);
     if (wakes) *passed = real_max(*passed, ways);
     return wakes;

@@ -291,18 +291,27 @@ void world_pin_sleeper(world *w, int b)
     }
 }
 
-bool world_wake_near(world *w, int a, int b)
+static int sleeper_of(const world *w, int a, int b)
 {
-    int sleeper = w->sleep.asleep[a] ? a : b, other = a + b - sleeper;
+    return w->sleep.asleep[a] ? a : b;
+}
+
+bool world_wakes_near(const world *w, int a, int b)
+{
+    int sleeper = sleeper_of(w, a, b), other = a + b - sleeper;
     if (!w->sleep.asleep[sleeper] || w->sleep.asleep[other]) return false;
     if (body_is_static(&w->body[sleeper])) return false;
-    bool is_moving = w->body[other].is_kinematic
-                   ? body_is_driven(w, other)
-                   : body_is_dynamic(&w->body[other])
-                     && sleep_is_moving(&w->sleep, other);
-    if (!is_moving) return false;
-    world_wake(w, sleeper);
-    return true;
+    return w->body[other].is_kinematic
+         ? body_is_driven(w, other)
+         : body_is_dynamic(&w->body[other])
+           && sleep_is_moving(&w->sleep, other);
+}
+
+bool world_wake_near(world *w, int a, int b)
+{
+    bool wakes = world_wakes_near(w, a, b);
+    if (wakes) world_wake(w, sleeper_of(w, a, b));
+    return wakes;
 }
 
 sphere world_ball(const world *w, int b)

@@ -465,6 +465,9 @@ void world_renew(world *w, int b);
 // impact, and all that sleep with it.  Returns whether it did.
 bool world_wake_near(world *w, int a, int b);
 
+// Would it?  Nothing wakes.
+bool world_wakes_near(const world *w, int a, int b);
+
 // Writes to at where the vertices of body b are now: shape->particles of them.
 void   world_vertices(const world *w, const body *b, vec3 *at);
 

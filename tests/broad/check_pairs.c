@@ -269,7 +269,7 @@ END_TEST
 // --- memory ------------------------------------------------------------------
 
 // Rejects: pairs that are lost without a word; a cut list that is trusted in
-// the next frame; a write past the end.
+// the next frame, or that has other pairs than the first; a write past the end.
 START_TEST(pairs_without_memory_are_counted_until_there_is_some)
 {
     begin(BODIES);
@@ -282,6 +282,8 @@ START_TEST(pairs_without_memory_are_counted_until_there_is_some)
         ck_assert(is_new);
         ck_assert_int_gt(lost, 0);
         ck_assert_int_eq(list.count + lost, all);
+        for (int k = 0; k < list.count && k < BODIES - 1; k++)
+            ck_assert(list.pair[k][0] == 0 && list.pair[k][1] == k + 1);
     }
     ck_assert(update());
     ck_assert_int_eq(lost, 0);

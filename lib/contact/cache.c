@@ -459,9 +459,11 @@ static manifold find_touch(const cache_frame *f, const contact *c,
 
 //> cache-ahead
 // The normal of balls and capsules turns as they pass each other.  So they are asked
-// as they will stand when they touch: the one that is round is shifted, as seen
-// from the other, by the part of the way that closes the gap along the normal,
-// and again, for there the normal is another.  Returns whether they were.
+// as they will stand when they touch, or on a floor at the end of the frame, if they
+// do not: the one that is round is shifted, as seen from the other, by the part of the way that
+// closes the gap along the normal, and again, for there the normal is another.  (A
+// ball that comes to a crease sees the edge ahead of it, along a normal that leans
+// back.)  Returns whether they were.
 static const real GLIDES = 0.02;            // tuned, radii: less does not count
 
 enum { CORE = 2 };
@@ -480,6 +482,7 @@ static bool query_ahead(const cache_frame *f, const contact *c, collider a,
     vec3 way = vec3_sub(f->ahead[c->piece_a].way, f->ahead[c->piece_b].way), at[CORE];
     real gone = 0, turn = f->ahead[c->piece_a].angle + f->ahead[c->piece_b].angle;
     const vec3 *now = round->at;
+    bool slides = seams_slider(f, c->piece_a, c->piece_b) >= 0;
     if (!is_ball_or_rod(round->shape)) {
         *m = find_touch(f, c, &a, &b, margin, carried, closes);
         return false;
@@ -493,8 +496,10 @@ static bool query_ahead(const cache_frame *f, const contact *c, collider a,
             || !(vec3_length(way) > GLIDES * round->shape->round)) break;
         query_result r = query_nearest(&a, &b, HUGE_VAL, carried);
         real closing = -vec3_dot(way, r.normal);
-        if (!(r.at.gap > 0) || !(r.at.gap < closing * (1 - gone))) break;
-        gone += r.at.gap / closing;
+        real touches = gone + r.at.gap / closing;
+        if (!(r.at.gap > 0) || !(closing > 0) || gone == 1
+            || (touches >= 1 && !slides)) break;
+        gone = real_min(touches, 1);
     }
     *m = collide_rigid(&a, &b, *closes + margin, turn, carried);
     return gone > 0;

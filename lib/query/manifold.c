@@ -363,6 +363,27 @@ static void patch_draw(patch *p, const view *w)
 }
 //<
 
+//> manifold-bulge
+// A patch bulges if a corner of it lies behind the plane of the face that begins
+// it, by more than rounding.  Then the body comes to rest on that face, which may
+// lie in the middle of the patch.  Its corners are given, but none of a flat patch.
+static void patch_middle(patch *middle, const patch *p, const view *w)
+{
+    bool bulges = false;
+    middle->count = 0;
+    for (int k = 0; k < p->count && p->half >= 0; k++) {
+        vec3 d = vec3_sub(p->at[p->vertex[k]], p->at[p->tip]);
+        bulges |= vec3_dot(d, p->side) < -64 * w->slack;
+    }
+    if (!bulges) return;
+    *middle = *p;
+    middle->count = 0;
+    for (int k = 0; k < 3; k++)
+        patch_add(middle, p->shape->face[3 * p->face + k], w);
+    patch_close(middle, w);
+}
+//<
+
 //> manifold-foot
 //>   Now the foot of a corner. Over which triangle of B does a vertex of A
 //>   stand, and with which weights? We measure one triangle.
@@ -524,6 +545,8 @@ enum { MOST_MEETINGS = 4 * PATCH_CORNERS };
 typedef struct {
     real  margin;               // m, what is further apart does not count
     real  same;                 // m, corners nearer to each other are one
+    int   middle;               // the first so many are of faces on which a body
+                                // lies whose patch bulges
     int   count;
     touch of[MOST_MEETINGS];
     vec3  at[MOST_MEETINGS];    // m, x and y: as seen
@@ -701,14 +724,14 @@ static real apart_from(vec3 at, const vec3 *kept, int n)
     return near;
 }
 
-// The corner that comes deepest if the body turns by so much (rad) about those
-// that are kept: by its distance from them, less how far it is open.  -1: none
-// further from them than m->same, and deeper than `most` (m).
-static int most_exposed(const meetings *m, const vec3 *kept, int n, real turn,
-                        real most)
+// Of the first `count` corners the one that comes deepest if the body turns by so
+// much (rad) about those that are kept: by its distance from them, less how far it
+// is open.  -1: none further from them than m->same, and deeper than `most` (m).
+static int most_exposed(const meetings *m, int count, const vec3 *kept, int n,
+                        real turn, real most)
 {
     int best = -1;
-    for (int k = 0; k < m->count; k++) {
+    for (int k = 0; k < count; k++) {
         real near = apart_from(m->at[k], kept, n);
         if (!(near > m->same * m->same)) continue;
         real deep = turn * sqrt(near) - m->of[k].gap;
@@ -721,16 +744,18 @@ static int most_exposed(const meetings *m, const vec3 *kept, int n, real turn,
 //<
 
 //> manifold-choose
-// out[0] is chosen, and stands at `first`.  Then come, one by one, those three
-// without which the body could sink deepest.  Of a body that turns further than it
+// out[0] is corner `first`.  Then come, one by one, those three
+// without which the body could sink deepest, first of those on which it lies: two
+// vertices in the middle of a lens are near each other, and bear all of it.  Of a body that turns further than it
 // is asked for, what still stays open goes.  Returns how many there are.
-static int choose_exposed(const meetings *m, vec3 first, real turn, touch *out)
+static int choose_exposed(const meetings *m, int first, real turn, touch *out)
 {
-    vec3 kept[MANIFOLD_POINTS] = { first };
+    vec3 kept[MANIFOLD_POINTS] = { m->at[first] };
     real open = turn > MANIFOLD_TURN ? -out[0].gap : -HUGE_VAL;
     int n = 1;
     while (n < MANIFOLD_POINTS) {
-        int k = most_exposed(m, kept, n, turn, open);
+        int k = most_exposed(m, m->middle, kept, n, turn, open);
+        if (k < 0) k = most_exposed(m, m->count, kept, n, turn, open);
         if (k < 0) break;
         kept[n] = m->at[k];
         out[n++] = m->of[k];
@@ -795,21 +820,16 @@ static void begin_with_lowest(meetings *m)
 
 //> manifold-keep
 // The touches from at least two corners; returns how many.
-static int choose(const meetings *m, const touch *nearest, real slack,
-                  real turn, touch out[MANIFOLD_POINTS])
+static int choose(const meetings *m, real slack, real turn,
+                  touch out[MANIFOLD_POINTS])
 {
     int deepest = 0, n = 1;
     turn = real_max(turn, MANIFOLD_TURN);
     for (int k = 0; k < m->count; k++)
         if (m->of[k].gap < m->of[deepest].gap - slack) deepest = k;
-    // A patch that bulges: the view's origin is where the bodies are nearest.
-    real bulge = m->of[deepest].gap - nearest->gap;
-    out[0] = *nearest;
-    if (bulge > slack)
-        return choose_exposed(m, vec3_make(0, 0, 0), turn, out);
     out[0] = m->of[deepest];
     if (m->count > MANIFOLD_POINTS)
-        return choose_exposed(m, m->at[deepest], turn, out);
+        return choose_exposed(m, deepest, turn, out);
     for (int k = 0; k < m->count; k++)
         if (k != deepest) out[n++] = m->of[k];
     return n;
@@ -817,13 +837,30 @@ static int choose(const meetings *m, const touch *nearest, real slack,
 //<
 
 //> manifold-find
+// All corners, and first those of the face on which a patch that bulges lies.
+static void meet_patches(const patch *p, const patch *q, const view *w,
+                         meetings *m)
+{
+    patch middle;
+    if (p->count == 2 && q->count == 2) {
+        meet_edges(p, q, m);
+        return;
+    }
+    patch_middle(&middle, p, w);
+    if (middle.count > 2) meet_polygons(&middle, q, w, m);
+    patch_middle(&middle, q, w);
+    if (middle.count > 2) meet_polygons(p, &middle, w, m);
+    m->middle = m->count;
+    meet_polygons(p, q, w, m);
+}
+
 // What is kept of the corners that were met, beside the pair.
 static int keep_points(meetings *m, const touch *pair, const view *w, real turn,
                        touch out[MANIFOLD_POINTS])
 {
-    if (m->count <= MANIFOLD_POINTS) begin_with_lowest(m);
+    if (m->count <= MANIFOLD_POINTS && !m->middle) begin_with_lowest(m);
     out[0] = *pair;
-    return m->count > 1 ? choose(m, pair, w->slack, turn, out) : 1;
+    return m->count > 1 ? choose(m, w->slack, turn, out) : 1;
 }
 
 // The manifold of two cores, or of bodies that are not round.
@@ -846,9 +883,8 @@ static manifold find_between(const collider *a, const collider *b,
 
     m.margin = margin;
     m.same = 64 * w.slack;
-    m.count = 0;
-    if (p.count == 2 && q.count == 2) meet_edges(&p, &q, &m);
-    else                              meet_polygons(&p, &q, &w, &m);
+    m.count = m.middle = 0;
+    meet_patches(&p, &q, &w, &m);
     found.count = keep_points(&m, pair, &w, turn, found.point);
     return found;
 }
@@ -913,7 +949,7 @@ static manifold find_on_plane(const collider *a, vec3 normal, real offset,
     int lowest = hull_scan(query_hull(a), vec3_scale(-1, normal));
     touch pair = { .a = { 1, { lowest }, { 1 } } };
     manifold found = { 0, normal, { pair }, a->shape->round, 0 };
-    patch p;
+    patch p, middle;
     meetings m;
 
     pair.gap = vec3_dot(a->at[lowest], normal) - offset - a->shape->round;
@@ -926,6 +962,9 @@ static manifold find_on_plane(const collider *a, vec3 normal, real offset,
     m.margin = margin;
     m.same = 64 * w.slack;
     m.count = 0;
+    patch_middle(&middle, &p, &w);
+    meet_plane(&middle, pair.gap, &m);
+    m.middle = m.count;
     meet_plane(&p, pair.gap, &m);
     found.count = keep_points(&m, &pair, &w, turn, found.point);
     return found;

@@ -38,9 +38,9 @@ typedef struct {
 // its normal the manifold's.  The pair is the only touch where fewer than two
 // corners are near.  Else point[0] is the deepest corner, and the others those
 // without which the bodies could sink deepest; the pair, which may be any point
-// of two faces that are parallel, is dropped.  Only if the patches bulge, so that
-// the pair is deeper than every corner by more than rounding, it is point[0].  Of
-// two corners at one place one is given.  Two edges count as side by side up to
+// of two faces that are parallel, is dropped.  Of a patch that bulges, the corners
+// of the face at the nearest vertex that leans least come before those of its rim:
+// on that face the body lies, or will.  Of two corners at one place one is given.  Two edges count as side by side up to
 // half a degree; their points may then be off the normal by as much.
 // Requires nearest->near.  The count is >= 1; where numbers are not finite, the
 // pair as it was given may be all.

@@ -314,6 +314,61 @@ START_TEST(block_that_is_set_down_stands_nearly_to_the_slope_where_it_topples)
 }
 END_TEST
 
+// Two slopes of triangles meet at x = 0: the second rises by this.
+static const double CREASE = 0.05;          // rad
+
+static void fold(tumble_world *w, double size)
+{
+    tumble_vec3 p[6];
+    const int t[] = { 0, 1, 2, 2, 1, 3, 2, 3, 4, 4, 3, 5 };
+    tumble_body_options o = tumble_body_at(0, 0, 0);
+    o.friction = 0;
+    for (int k = 0; k < 6; k++) {
+        double x = (k / 2 - 1) * size;
+        p[k] = tumble_v(x, x > 0 ? x * tan(CREASE) : 0, k % 2 ? size : -size);
+    }
+    tumble_body_add_mesh(w, p, 6, t, 4, size / 10, o);
+}
+
+// Which part of its energy does a ball without friction lose there?  It begins
+// `ahead` of a step nearer, and comes at `speed` times the root of radius times G.
+static double lost_at_crease(double radius, double speed, double dt, double ahead)
+{
+    tumble_options options = tumble_options_default();
+    options.dt = dt;
+    tumble_world *w = tumble_world_make(&options);
+    double v = speed * sqrt(G * radius);
+    fold(w, 2 * v);
+    tumble_body_options o = tumble_body_at(-0.3 * v + ahead * v * dt, radius, 0);
+    o.friction = 0;
+    o.velocity = tumble_v(v, 0, 0);
+    tumble_body ball = tumble_body_add(w, tumble_shape_sphere(w, radius, 1), o);
+    for (int k = 0; k < 0.6 / dt; k++) tumble_world_step(w);
+    tumble_vec3 p = tumble_body_position(w, ball), u = tumble_body_velocity(w, ball);
+    double kinetic = (u.x * u.x + u.y * u.y + u.z * u.z) / 2;
+    double is = kinetic + G * (p.y - radius), was = v * v / 2;
+    tumble_world_free(w);
+    return 1 - is / was;
+}
+
+// What comes in along the second slope's normal is lost: the square of the sine,
+// 0.0025, and not much more.
+// Rejects: a ball that is asked where it stands, if it does not touch in the frame:
+// the edge is there between the two, and along the normal of then, 0.4 rad off, it
+// loses up to 0.95 of its energy.
+START_TEST(ball_loses_little_at_a_crease)
+{
+    const double MOST = 0.06;           // of a row that gives way, for a substep
+    const double radius[] = { 0.01, 0.05, 0.3 }, speed[] = { 0.3, 1, 3 };
+    for (int k = 0; k < 180; k++) {
+        double r = radius[k % 3], s = speed[k / 3 % 3], dt = k < 90 ? 1.0 / 60 : 1.0 / 30;
+        double lost = lost_at_crease(r, s, dt, k / 9 % 10 * 0.1);
+        ck_assert_msg(lost < MOST && lost > -0.001, "%g m, %g, 1/%g s: %g", r, s,
+                      1 / dt, lost);
+    }
+}
+END_TEST
+
 int main(void)
 {
     const TTest *const tests[] = {
@@ -322,6 +377,7 @@ int main(void)
         bodies_side_by_side_do_not_stop_what_slides,
         what_spins_flat_on_cells_spins_on,
         ball_rolls_over_bricks_as_over_a_plane,
+        ball_loses_little_at_a_crease,
         any_order_and_a_copy_give_the_same_bits,
         each_body_that_is_touched_is_told,
         NULL

@@ -795,6 +795,28 @@ START_TEST(patch_that_bulges_keeps_its_deepest_point)
 }
 END_TEST
 
+// The dish leans so that it lies on one of the twelve faces of its cone: on the tip
+// and two corners of the rim.  The neighbours of these are hardly higher, and further
+// apart.
+// Rejects: three corners of the rim that are furthest from the tip, as of a side
+// that is flat, so that the body sinks between them.
+START_TEST(patch_that_bulges_keeps_the_face_it_lies_on)
+{
+    const real half = acos(-1.0) / 12;
+    standing b = stand(&cube, UPRIGHT, vec3_make(0, -0.5, 0));
+    axes f = then(about_y(half), about_z(atan(DOME / (0.5 * cos(half)))));
+    standing a = stand(&dish, f, vec3_make(0, 0.5, 0));
+    real low = HUGE_VAL;
+    for (int v = 0; v < a.plan->particles; v++) low = fmin(low, a.at[v].y);
+    a = stand(&dish, f, vec3_make(0, 0.51 - low, 0));
+    answer r = ask(&a, &b, 0.2);
+    int lies = 0;
+    for (int k = 0; k < r.count; k++) lies += fabs(r.of[k].gap - 0.01) <= SEARCH;
+    ck_assert_int_eq(lies, 3);
+    ck_assert_int_eq(r.count, 4);
+}
+END_TEST
+
 // A drum of 48 sides lies on one of them: 7.5 degrees from it to the next.
 // Rejects: sides beside it that count as the same, so that two of the four
 // corners between which it lies are dropped for higher ones.
@@ -1460,6 +1482,7 @@ int main(void)
         side_of_many_triangles_is_one_side,
         rounder_sides_than_there_is_room_for_stay_wide,
         patch_that_bulges_keeps_its_deepest_point,
+        patch_that_bulges_keeps_the_face_it_lies_on,
         drum_on_its_side_lies_on_one_of_its_faces,
         plane_touches_as_the_top_of_a_slab_does,
         body_that_is_not_finite_touches_no_plane,

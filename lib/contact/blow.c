@@ -180,8 +180,13 @@ void blow_forget(contact_solver *s)
             left = real4_add(left, *sum);
             k->place[j].blow = zero;
         }
-        // What rubbed under it goes with it.
+        // What rubbed under it goes with it, and all friction where something
+        // struck.  It has stopped the slip.  Given again while nothing presses, it
+        // turned the body into the ground, which pushed back: boxes that tumbled
+        // gained energy.
         real4 share = real4_if_positive(all, real4_div(left, all), zero);
+        share = real4_if_positive(k->struck, zero, share);
+        k->struck = zero;
         for (int i = 0; i < RUBS; i++)
             k->rub[i] = real4_mul(share, k->rub[i]);
     }

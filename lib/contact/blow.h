@@ -24,7 +24,7 @@
 void blow_stop(contact_solver *s, const solver_frame *f, motion *velocity);
 
 // After solver_relax, and when contacts have been heard: what a blow gave does
-// not act again in the next substep.
+// not act again in the next substep, nor does friction where points struck.
 void blow_forget(contact_solver *s);
 
 #endif

@@ -470,6 +470,7 @@ static void fill_block(void *data, int number)
     const int *list = s->order + first;
     k->rubs = true;
     k->is_struck = false;
+    k->struck = real4_all(0);
     k->in_blow = 0;
     k->two = s->active[list[0]].sides != ONE_SIDED;
     k->is_driven = s->active[list[0]].sides == DRIVEN_SIDED;
@@ -694,6 +695,25 @@ static inline real4 leave_impacts(const block *k, const solver_pass *q, real4 sp
 }
 //<
 
+//> passes-struck
+//>   What closes fast strikes, as for an impact; its friction is for this substep
+//>   alone ([`blow`](lib-blow.md)).
+// The impulse of a point that is open and closes fast; else 0.
+static inline real4 striking(const solver_pass *q, real4 gap, real4 speed,
+                             real4 impulse)
+{
+    const real4 zero = real4_all(0);
+    real4 slow = real4_add(speed, real4_all(q->slowest));
+    return real4_if_positive(gap, real4_if_positive(slow, zero, impulse), zero);
+}
+
+static inline void note_struck(block *k, real4 struck)
+{
+    k->struck = real4_add(k->struck, struck);
+    k->is_struck |= real4_any(struck);
+}
+//<
+
 //> passes-closing
 //>   Where a heavy body strikes a light one, how fast do they close when the pass
 //>   is over ([`blow`](lib-blow.md))? Slower ones the
@@ -762,11 +782,11 @@ ALWAYS_INLINE bool wakes(block *k, const solver_pass *q, const sides4 *u, bool t
 //<
 
 //> passes-push
-// What pushes apart along the normal: how fast the centres part, and what it
-// has given so far.
+// What pushes apart along the normal: how fast the centres part, what it has given
+// so far, and what of that stopped what strikes.
 typedef struct {
     sides4 u;
-    real4 parting, sum;
+    real4 parting, sum, struck;
 } pushing;
 
 // An open gap may close, but no further; an overlap is pushed out as a spring
@@ -800,6 +820,7 @@ ALWAYS_INLINE real4 push_points(block *k, const solver_pass *q, pushing *w,
         push_point(p, real4_sub(p->impulse, step), inverse, &w->parting,
                    &w->sum, &w->u, two);
         struck = real4_add(struck, real4_if_positive(gap, p->impulse, zero));
+        w->struck = real4_add(w->struck, striking(q, gap, speed, p->impulse));
     }
     return struck;
 }
@@ -810,7 +831,8 @@ ALWAYS_INLINE real4 push_points(block *k, const solver_pass *q, pushing *w,
 ALWAYS_INLINE void push_block(block *k, const solver_pass *q, bool two,
                               bool has_impacts)
 {
-    pushing w = { .u = take_sides(k, q->velocity, two), .sum = real4_all(0) };
+    const real4 zero = real4_all(0);
+    pushing w = { .u = take_sides(k, q->velocity, two), .sum = zero, .struck = zero };
     if (k->is_stale && !wakes(k, q, &w.u, two)) return;
     w.parting = part_centers(k->normal, &w.u, two);
     real4 struck = push_points(k, q, &w, real4_all(1), two, has_impacts);
@@ -820,6 +842,7 @@ ALWAYS_INLINE void push_block(block *k, const solver_pass *q, bool two,
             push_points(k, q, &w, struck, two, has_impacts);
     }
     push_centers(k, k->normal, w.sum, &w.u, two);
+    note_struck(k, w.struck);
     give_sides(k, q->velocity, &w.u, two);
 }
 //<
@@ -878,19 +901,22 @@ ALWAYS_INLINE void relax_once(block *k, const solver_pass *q, sides4 *side,
     sides4 u = *side;
     real4 parting = part_centers(k->normal, &u, two), sum = zero;
     real4 inverse = inverse_mass(k, two), along = zero, moment = zero;
+    real4 struck = zero;
     for (int j = 0; j < k->points; j++) {
         block_point *p = &k->point[j];
         real4 gap = p->now;
         real4 speed = real4_add(parting,
                                 part_turns(p->turn_a, p->turn_b, &u, two));
         if (has_impacts) speed = leave_impacts(k, q, speed, p->impulse);
-        speed = real4_mad(real4_max(gap, zero), per_h, speed);
-        push_point(p, real4_sub(p->impulse, real4_mul(p->mass, speed)),
+        real4 then = real4_mad(real4_max(gap, zero), per_h, speed);
+        push_point(p, real4_sub(p->impulse, real4_mul(p->mass, then)),
                    inverse, &parting, &sum, &u, two);
+        struck = real4_add(struck, striking(q, gap, speed, p->impulse));
         along = real4_add(along, p->impulse);
         moment = real4_mad(p->lever, p->impulse, moment);
     }
     push_centers(k, k->normal, sum, &u, two);
+    note_struck(k, struck);
     if (k->rubs || real4_any(along)) {
         if (k->points > 1) twist_block(k, real4_mul(friction, moment), &u, two);
         brake_block(k, real4_mul(friction, along), &u, two);

@@ -148,7 +148,8 @@ typedef struct {
     bool  two;                          // both sides move,
     bool  is_driven;                    // but B is driven
     bool  is_uneven;                    // a heavy body meets a light one
-    bool  is_struck;                    // there was a blow
+    bool  is_struck;                    // something struck, see blow_forget
+    real4 struck;                       // N s, that stopped what closed fast
     int   in_blow;                      // a bit a lane, while it is found
     bool  rubs;                         // friction's impulses may not be 0
     bool  is_stale;                     // rows are those of an older substep

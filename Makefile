@@ -866,6 +866,7 @@ $(BUILD)/drape $(BUILD)/drape-apart $(BUILD)/drape-links: $(BUILD)/tests/drape.o
 	$(call link,-lm)
 $(BUILD)/tests/check_certificate: $(BUILD)/tests/crossings.o
 $(BUILD)/tests/check_given: $(BUILD)/tests/crossings.o
+$(BUILD)/tests/check_soft_world: $(BUILD)/tests/crossings.o
 # Pairs of hard families against exact truth: many, and a few as a test.
 EXACTLY := $(addprefix $(BUILD)/tests/,exact_judge.o made_pairs.o truth.o)
 $(BUILD)/tests/check_exact_pairs: $(EXACTLY)

@@ -179,21 +179,15 @@ void soft_separate(soft_solver *s, const soft_frame *f)
     real deepest = 0;
     s->touching += touch_pairs(&s->near, f, &deepest);
     s->pressed = real_max(s->pressed, sqrt(deepest / DEEP) / f->h);
-    s->touching += touch_bodies(&s->near, &s->view, f, 1, BY_PARTICLE,
-                                s->is_backward);
-    s->touching += touch_facets(&s->near, &s->view, f, s->is_backward);
+    s->touching += touch_bodies(&s->near, &s->view, f, s->is_backward);
+    s->touching += touch_facets(&s->near, &s->view, f, BY_PARTICLE, s->is_backward);
 }
 
-// In a cloth that lies on a static body this finds nothing.  But particles that
-// a bullet drives before it are pulled back by their sticks, and through it:
-// they are light, and make way.  What stops it is all that the sticks hold
-// together: by so much of its distance.
-static const real WHOLE = 0.5;              // tuned, 1
-
+// Sticks pull a light facet back over the edge or the corner that it was parted from.
+// What holds it there is all that the sticks hold together.
 void soft_hold(soft_solver *s, const soft_frame *f)
 {
-    touch_bodies(&s->near, &s->view, f, WHOLE, BY_WHOLE, s->is_backward);
-    hold_facets(&s->near, &s->view, f);
+    touch_facets(&s->near, &s->view, f, BY_WHOLE, s->is_backward);
 }
 //<
 

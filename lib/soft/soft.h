@@ -85,8 +85,8 @@ void soft_separate(soft_solver *s, const soft_frame *f);
 // move;
 void soft_relax(soft_solver *s, const soft_frame *f);
 
-// and those that sticks have pulled back into a rigid body hold it by the
-// weight of all that they hang on.
+// and what sticks have pulled back to edges and corners holds them by the weight of
+// all that it hangs on.
 void soft_hold(soft_solver *s, const soft_frame *f);
 
 // What began in something is put out of it, and not thrown: all of it together gets

@@ -361,23 +361,7 @@ static bool is_stretched(const shape *s, const particle *p)
     return false;
 }
 
-static bool is_cut(soft_solver *s, const soft_frame *f, int a)
-{
-    const near_lists *l = &s->near;
-    aabb around = aabb_empty();
-    bool is = false;
-    for (int i = 0; i < body_particles(&f->body[a]); i++)
-        around = aabb_with(around,
-                           f->particle[f->body[a].first + i].position);
-    for (int k = 0; k < l->candidates && !is; k++) {
-        int b = l->candidate[k];
-        is = !body_is_soft(&f->body[b]) && soft_meets(f, a, b)
-          && touch_is_cut(&s->view, f, a, b, around);
-    }
-    return is;
-}
-
-int soft_unconverged(soft_solver *s, const soft_frame *f)
+int soft_unconverged(const soft_solver *s, const soft_frame *f)
 {
     int count = 0;
     for (int n = 0; n < f->softs; n++) {
@@ -387,7 +371,7 @@ int soft_unconverged(soft_solver *s, const soft_frame *f)
         count += *sunk == SUNK
               || (!(x->compliance > 0)
                   && is_stretched(x->shape, f->particle + x->first))
-              || is_cut(s, f, f->soft[n]);
+              || certificate_is_cut(&s->proof, x);
         if (*sunk > SUNK_PERHAPS) *sunk = *sunk == SUNK ? SUNK_BEFORE : SUNK_NOT;
     }
     return count;
@@ -456,7 +440,7 @@ void soft_begin(soft_solver *s, const soft_frame *f)
         s->held[b] |= is_soft && is_pinned(f, &f->body[b]);
     }
     near_begin(&s->near, f, s->ahead);
-    if (f->certified) certificate_begin(&s->proof, f, &s->near);
+    certificate_begin(&s->proof, f, &s->near);
 }
 
 static bool balls_near(sphere a, sphere b, real margin)

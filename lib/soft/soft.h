@@ -101,7 +101,7 @@ void soft_certify(soft_solver *s, const soft_frame *f);
 
 // How many deformable bodies that must not give have strands off by more than
 // a hundredth, are deep in what they began in, or are cut by a rigid body.
-int soft_unconverged(soft_solver *s, const soft_frame *f);
+int soft_unconverged(const soft_solver *s, const soft_frame *f);
 
 #endif
 //<

@@ -496,7 +496,7 @@ int touch_facets(near_lists *l, rigid_view *v, const soft_frame *f, answering wh
 
 //> touch-clear
 //>   Joints ask the same two queries whether a cloth is clear of a body
-//>   (chapter 17, *Pins*), and the report asks whether it is cut by one.
+//>   (chapter 17, *Pins*).
 static int soft_facets(const body *soft)
 {
     const shape *s = soft->shape;
@@ -531,22 +531,6 @@ bool touch_is_clear(rigid_view *v, const soft_frame *f, int a, int b)
     return true;
 }
 
-// Most bodies are nowhere near, and most facets in front of the same plane.
-bool touch_is_cut(rigid_view *v, const soft_frame *f, int a, int b, aabb around)
-{
-    const body *soft = &f->body[a];
-    sphere ball = { soft_rigid_frame(f, b).center, f->now[b].radius };
-    if (aabb_distance_squared(&around, ball.center) > ball.radius * ball.radius)
-        return false;
-    rigid_view_update(v, f, b);
-    int ahead = 0;
-    for (int k = 0; k < soft_facets(soft); k++) {
-        vec3 end[FACET];
-        facet_ends(f, soft, k, end);
-        if (!obstacle_is_apart(&v->hull, end, FACET, &ahead)) return true;
-    }
-    return false;
-}
 //<
 
 //> touch-particles

@@ -31,9 +31,5 @@ int touch_facets(near_lists *l, rigid_view *v, const soft_frame *f, answering wh
 // Does all of the deformable body a keep its distance from the rigid body b?
 bool touch_is_clear(rigid_view *v, const soft_frame *f, int a, int b);
 
-// Does a triangle or a link of the deformable body a, which is in this box, meet
-// the rigid body b?
-bool touch_is_cut(rigid_view *v, const soft_frame *f, int a, int b, aabb around);
-
 #endif
 //<

@@ -873,6 +873,7 @@ $(BUILD)/tests/check_certificate: $(BUILD)/tests/crossings.o
 # The plain proof, which judges the certificate.
 $(BUILD)/tests/check_certificate $(BUILD)/figures/16-plain: $(BUILD)/tests/plain_proof.o
 $(BUILD)/tests/check_given: $(BUILD)/tests/crossings.o
+$(BUILD)/tests/check_soft_world: $(BUILD)/tests/crossings.o
 # Pairs of hard families against exact truth: many, and a few as a test.
 EXACTLY := $(addprefix $(BUILD)/tests/,exact_judge.o made_pairs.o truth.o)
 $(BUILD)/tests/check_exact_pairs: $(EXACTLY)

@@ -854,7 +854,10 @@ static void part_from_body(const frame_search *l, certified_set s, int b,
     certificate *c = l->c;
     const obstacle *solid = &l->view->hull;
     vec3 at[FACET];
+    const body *soft = &l->f->body[s.part.cells.body];
     if (has_body_plane(l, &s, &l->f->body[b], ahead)) return;
+    for (int k = 0; k < FACET; k++) at[k] = c->at[1][s.vertex[k]];
+    c->of[soft->first].is_cut |= !obstacle_is_apart(solid, at, FACET, ahead);
     int with = c->of[patch_of(c, s.vertex[0])].rides;
     for (int k = 0; k < FACET; k++)
         at[k] = carried_along(c, &l->f->body[b], c->at[0][s.vertex[k]]);
@@ -921,12 +924,13 @@ static void search_links(const frame_search *l, const aabb *way, int a, int b,
     }
 }
 
-// (What began in one is on its way out.)
 static void search_bodies(const frame_search *l)
 {
     certificate *c = l->c;
     const soft_frame *f = l->f;
     c->cuts = 0;
+    for (int n = 0; n < f->softs; n++)
+        c->of[f->body[f->soft[n]].first].is_cut = false;
     for (int k = 0; l->near && k < l->near->candidates; k++) {
         int b = l->near->candidate[k];
         if (body_is_soft(&f->body[b])) continue;
@@ -935,7 +939,6 @@ static void search_bodies(const frame_search *l)
         for (int n = 0; n < f->softs; n++) {
             int a = f->soft[n], ahead = 0;
             if (!soft_moves(f, a) || !soft_meets(f, a, b)) continue;
-            if (f->sunk[a] != SUNK_NOT) continue;
             box_all(l);
             if (is_certified(f, a))
                 search_body(l, &way, whole_soft(l, a), b, &ahead);
@@ -1034,7 +1037,7 @@ static void push_back(const frame_search *l, const facet_cut *cut, vec3 at,
     const soft_frame *f = l->f;
     const body *x = &f->body[cut->body];
     int whole = body_whole(x, cut->body);
-    if (body_is_fixed(x)) return;
+    if (!can_be_pushed(f, cut->body)) return;
     vec3 arm = vec3_sub(at, l->c->at[1][x->first]);
     motion_push(&f->velocity[whole], &f->now[whole].basis, arm,
                 vec3_scale(1 / l->c->since, push));
@@ -1303,6 +1306,11 @@ static void begin_next(certificate *c)
     c->since = 0;
 }
 
+bool certificate_is_cut(const certificate *c, const body *soft)
+{
+    return c->of[soft->first].is_cut;
+}
+
 void certificate_end(certificate *c, const soft_frame *f, const near_lists *near,
                      rigid_view *view)
 {
@@ -1314,8 +1322,9 @@ void certificate_end(certificate *c, const soft_frame *f, const near_lists *near
     if (is_still || !(c->since > 0)) return;
     copy_positions(c, f, near, 1);
     for (int v = 0; v < c->particles; v++) c->of[v].crossed = false;
-    certify(&l);
-    if (c->clashes > 0) c->keeps = c->clashes = 0;
+    if (f->certified) certify(&l);
+    else              search_bodies(&l);
+    if (c->clashes > 0 || !f->certified) c->keeps = c->clashes = 0;
     for (int n = 0; n < f->softs && c->prevented > 0; n++) {
         const body *x = &f->body[f->soft[n]];
         for (int v = x->first; v < x->first + body_particles(x); v++)

@@ -254,7 +254,6 @@ static bool grow_facets(near_lists *l)
     facet_list *was = &l->facets_before;
     bool ok = true;
     if (room == l->facet_capacity) return true;
-    TABLE_GROW(ok, l->met, l->mets, room);
     TABLE_GROW(ok, was->at, was->count, room);
     TABLE_GROW(ok, l->facet.at, l->facet.count, room);
     if (ok) l->facet_capacity = room;
@@ -546,11 +545,10 @@ static bool make_list_room(near_lists *l, int soft)
     int facets = table_room(6 * soft, l->facet_capacity);
     bool ok = true;
     if (pairs == l->pair_capacity) return true;
-    l->pairs = l->points = l->mets = 0;
+    l->pairs = l->points = 0;
     TABLE_GROW(ok, l->pair, 0, pairs);
     TABLE_GROW(ok, l->leaf, 0, pairs);
     TABLE_GROW(ok, l->point, 0, points);
-    TABLE_GROW(ok, l->met, 0, facets);
     TABLE_GROW(ok, l->facet.at, l->facet.count, facets);
     TABLE_GROW(ok, l->facets_before.at, l->facets_before.count, facets);
     if (!ok) return false;
@@ -632,7 +630,7 @@ void near_free(near_lists *l)
     for (int b = 0; b < l->bodies; b++) sphere_tree_free(&l->tree[b]);
     void *owned[] = { l->soft, l->tree, l->ball, l->gap, l->is_near,
                       l->candidate, l->at,
-                      l->listed, l->pair, l->point, l->leaf, l->ahead, l->met,
+                      l->listed, l->pair, l->point, l->leaf, l->ahead,
                       l->facet.at, l->facets_before.at };
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) free(owned[i]);
     grid_free(&l->grid);
@@ -676,7 +674,7 @@ static void forget_facets(facet_list *list, int b)
 void near_forget(near_lists *l, int b)
 {
     forget_facets(&l->facet, b);
-    l->pairs = l->points = l->mets = 0;
+    l->pairs = l->points = 0;
     l->is_stale = true;
 }
 

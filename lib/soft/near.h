@@ -130,7 +130,6 @@ typedef struct {
     facet_list facet;           // facets at rigid bodies, in the same order
     facet_list facets_before;   // those of the last lists
     int  facet_capacity;
-    int *met, mets;     // those that met one in this substep, or soon may
     int  substeps;      // since the lists were made
     int *ahead;         // [particles] while facets are listed, see near.c
     real margin;        // m, how much further than touching the lists look

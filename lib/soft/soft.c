@@ -2,6 +2,7 @@
 //>   Move and draw: fall, bend, and what the diagonals take back.
 #include "soft.h"
 #include "table.h"
+#include "taut.h"
 
 #include <assert.h>
 #include <stddef.h>
@@ -179,21 +180,15 @@ void soft_separate(soft_solver *s, const soft_frame *f)
     real deepest = 0;
     s->touching += touch_pairs(&s->near, f, &deepest);
     s->pressed = real_max(s->pressed, sqrt(deepest / DEEP) / f->h);
-    s->touching += touch_bodies(&s->near, &s->view, f, 1, BY_PARTICLE,
-                                s->is_backward);
-    s->touching += touch_facets(&s->near, &s->view, f, s->is_backward);
+    s->touching += touch_bodies(&s->near, &s->view, f, s->is_backward);
+    s->touching += touch_facets(&s->near, &s->view, f, BY_PARTICLE, s->is_backward);
 }
 
-// In a cloth that lies on a static body this finds nothing.  But particles that
-// a bullet drives before it are pulled back by their sticks, and through it:
-// they are light, and make way.  What stops it is all that the sticks hold
-// together: by so much of its distance.
-static const real WHOLE = 0.5;              // tuned, 1
-
+// Sticks pull a light facet back over the edge or the corner that it was parted from.
+// What holds it there is all that the sticks hold together.
 void soft_hold(soft_solver *s, const soft_frame *f)
 {
-    touch_bodies(&s->near, &s->view, f, WHOLE, BY_WHOLE, s->is_backward);
-    hold_facets(&s->near, &s->view, f);
+    touch_facets(&s->near, &s->view, f, BY_WHOLE, s->is_backward);
 }
 //<
 
@@ -367,23 +362,7 @@ static bool is_stretched(const shape *s, const particle *p)
     return false;
 }
 
-static bool is_cut(soft_solver *s, const soft_frame *f, int a)
-{
-    const near_lists *l = &s->near;
-    aabb around = aabb_empty();
-    bool is = false;
-    for (int i = 0; i < body_particles(&f->body[a]); i++)
-        around = aabb_with(around,
-                           f->particle[f->body[a].first + i].position);
-    for (int k = 0; k < l->candidates && !is; k++) {
-        int b = l->candidate[k];
-        is = !body_is_soft(&f->body[b]) && soft_meets(f, a, b)
-          && touch_is_cut(&s->view, f, a, b, around);
-    }
-    return is;
-}
-
-int soft_unconverged(soft_solver *s, const soft_frame *f)
+int soft_unconverged(const soft_solver *s, const soft_frame *f)
 {
     int count = 0;
     for (int n = 0; n < f->softs; n++) {
@@ -393,7 +372,7 @@ int soft_unconverged(soft_solver *s, const soft_frame *f)
         count += *sunk == SUNK
               || (!(x->compliance > 0)
                   && is_stretched(x->shape, f->particle + x->first))
-              || is_cut(s, f, f->soft[n]);
+              || certificate_is_cut(&s->proof, x);
         if (*sunk > SUNK_PERHAPS) *sunk = *sunk == SUNK ? SUNK_BEFORE : SUNK_NOT;
     }
     return count;
@@ -405,9 +384,7 @@ int soft_unconverged(soft_solver *s, const soft_frame *f)
 //>   touch that sphere is woken by the cloth, or wakes it, and falls asleep
 //>   only together with it.
 // Its particles' middle goes straight on; beside that each goes as far as the
-// fastest, and as gravity adds, and a quarter of a spacing for impacts.
-static const real QUARTER = 4;              // tuned, per spacing
-
+// fastest, and as gravity adds.
 static prediction predict_soft(const soft_frame *f, int b)
 {
     const body *x = &f->body[b];
@@ -425,8 +402,7 @@ static prediction predict_soft(const soft_frame *f, int b)
         fastest = real_max(beside, fastest);
     }
     prediction a = { .way = vec3_scale(ages, mean) };
-    a.turn = ages * sqrt(fastest) + x->shape->spacing / QUARTER
-           + vec3_length(f->gravity) * dt * dt / 2;
+    a.turn = ages * sqrt(fastest) + vec3_length(f->gravity) * dt * dt / 2;
     a.reach = vec3_length(a.way) + a.turn;
     return a;
 }
@@ -462,7 +438,7 @@ void soft_begin(soft_solver *s, const soft_frame *f)
         s->held[b] |= is_soft && is_pinned(f, &f->body[b]);
     }
     near_begin(&s->near, f, s->ahead);
-    if (f->certified) certificate_begin(&s->proof, f, &s->near);
+    certificate_begin(&s->proof, f, &s->near);
 }
 
 static bool balls_near(sphere a, sphere b, real margin)
@@ -488,41 +464,34 @@ bool soft_may_meet(const soft_solver *s, int b)
 //>   nine more are taken at once. A frame that is divided for something fast
 //>   (chapter 15) takes as many in its four parts together. The number rises at
 //>   once, and falls after three frames.
-// In a substep nothing should go further than a share of its own radius: the
-// inner one of a rigid body, half the spacing of a deformable one.  One whose
-// numbers are lost asks for nothing.
-static int substeps_for(const soft_frame *f, int b, real far, real share)
+// In a substep nothing should go further than its own radius: the inner one of a
+// rigid body, half the spacing of a deformable one.  One whose numbers are lost asks
+// for nothing.
+static int substeps_for(const soft_frame *f, int b, real far)
 {
     const body *x = &f->body[b];
     real radius = body_is_soft(x) ? x->shape->spacing / 2 : x->inner;
-    real need = far / (share * radius);
+    real need = far / radius;
     if (!(need < HUGE_VAL)) return 0;
     if (!(need < f->most_substeps)) return f->most_substeps;
     return (int)need + ((int)need < need);
 }
 
 // What a deformable body may meet: itself, where its parts go different ways;
-// and others.  Into a rigid body that is thicker a particle may go by a whole
-// spacing: it comes out where it went in.  A rigid body drives the light
-// particles of a cloth before it, their sticks pull them back, and it must not
-// be past them before their whole weight has stopped it: a quarter of its
-// radius.  What lies on them is as heavy beside them as the load of a rope.
-static const real INTO_THICK = 2;           // tuned, spacings / 2
-static const real BY_RIGID = 0.25;          // tuned, radii
-
+// and others.  What lies on its particles is as heavy beside them as the load of a
+// rope.
 static int substeps_to_meet(const soft_solver *s, const soft_frame *f, int a,
                             int b)
 {
     const prediction *x = &s->ahead[a], *y = &s->ahead[b];
     const sphere *ball = s->near.ball;
-    if (a == b) return substeps_for(f, a, x->turn, 1);
+    if (a == b) return substeps_for(f, a, x->turn);
     if (!balls_near(ball[a], ball[b], x->reach + y->reach)) return 0;
     if (!soft_meets(f, a, b)) return 0;
-    if (body_is_soft(&f->body[b])) return substeps_for(f, a, x->reach, 1);
-    bool is_thick = f->body[b].inner > f->body[a].shape->spacing;
-    int n = substeps_for(f, a, x->reach, is_thick ? INTO_THICK : 1);
+    int n = substeps_for(f, a, x->reach);
+    if (body_is_soft(&f->body[b])) return n;
     if (!body_is_fixed(&f->body[b])) n = int_max(n, f->stiff_substeps);
-    return int_max(n, substeps_for(f, b, y->reach, BY_RIGID));
+    return int_max(n, substeps_for(f, b, y->reach));
 }
 
 // What weight alone does in a substep, g h^2, is no more than this share of a
@@ -531,9 +500,7 @@ static const real SAG = 0.02;               // tuned, spacings
 
 // A taut link swings sideways with its ends, and longer substeps than a limit
 // make it swing ever wider: chapter 12.  So the weight of all of a rope, which
-// may hang on its lightest link, moves that by this share of its length at most.
-static const real TAUT_WITHIN = 0.25;       // tuned, lengths
-
+// may hang on its lightest link, makes that no tauter than an explicit step bears.
 static real lightest_of(const shape *s)
 {
     real least = s->mass[0];
@@ -547,7 +514,7 @@ static int substeps_for_weight(const soft_frame *f, int a)
     const shape *s = x->shape;
     real share = SAG;
     if (s->kind == SHAPE_ROPE)
-        share = real_min(SAG, TAUT_WITHIN * lightest_of(s) / x->mass);
+        share = real_min(SAG, taut_most(1 / lightest_of(s), 1) / x->mass);
     real g = vec3_length(f->gravity);
     real need = f->frame * sqrt(g / (share * s->spacing));
     return need < f->most_substeps ? (int)need : f->most_substeps;

@@ -85,8 +85,8 @@ void soft_separate(soft_solver *s, const soft_frame *f);
 // move;
 void soft_relax(soft_solver *s, const soft_frame *f);
 
-// and those that sticks have pulled back into a rigid body hold it by the
-// weight of all that they hang on.
+// and what sticks have pulled back to edges and corners holds them by the weight of
+// all that it hangs on.
 void soft_hold(soft_solver *s, const soft_frame *f);
 
 // What began in something is put out of it, and not thrown: all of it together gets
@@ -101,7 +101,7 @@ void soft_certify(soft_solver *s, const soft_frame *f);
 
 // How many deformable bodies that must not give have strands off by more than
 // a hundredth, are deep in what they began in, or are cut by a rigid body.
-int soft_unconverged(soft_solver *s, const soft_frame *f);
+int soft_unconverged(const soft_solver *s, const soft_frame *f);
 
 #endif
 //<

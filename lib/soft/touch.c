@@ -335,7 +335,7 @@ static bool nearest_outside(const obstacle *b, vec3 x, const point_pair *pair,
 }
 
 static bool touch_body(const rigid_view *v, const soft_frame *f,
-                       point_pair pair, real apart, material m, answering who)
+                       point_pair pair, real apart, material m)
 {
     particle *p = &f->particle[pair.particle];
     surface_point at;
@@ -349,14 +349,14 @@ static bool touch_body(const rigid_view *v, const soft_frame *f,
                 { pair.particle }, { 1 }, at, apart, m.friction };
     if (!(held_against(&x, pair.particle) > 0))
         f->hold[pair.particle].state = LINE_FREE;
-    return part_from(&x, who);
+    return part_from(&x, BY_PARTICLE);
 }
 
 // They push one after the other: the first tilt a body that lies on them, the
 // last set it upright again, and friction takes the tilting for sliding.  So
 // they come in the other order in every other substep, or the body would creep.
 int touch_bodies(const near_lists *l, rigid_view *v, const soft_frame *f,
-                 real share, answering who, bool is_backward)
+                 bool is_backward)
 {
     int touching = 0, n = l->points;
     point_pair last = { .soft = -1 };
@@ -364,15 +364,13 @@ int touch_bodies(const near_lists *l, rigid_view *v, const soft_frame *f,
     material m = { 0 };
     for (int k = 0; k < n; k++) {
         point_pair pair = l->point[is_backward ? n - 1 - k : k];
-        if (who == BY_WHOLE && body_is_fixed(&f->body[pair.rigid])) continue;
         if (pair.soft != last.soft || pair.rigid != last.rigid) {
             rigid_view_update(v, f, pair.rigid);
-            apart = share * soft_gap(&f->body[pair.soft],
-                                     &f->body[pair.rigid]);
+            apart = soft_gap(&f->body[pair.soft], &f->body[pair.rigid]);
             m = soft_material(f, pair.soft, pair.rigid);
         }
         last = pair;
-        touching += touch_body(v, f, pair, apart, m, who);
+        touching += touch_body(v, f, pair, apart, m);
     }
     return touching;
 }
@@ -454,8 +452,7 @@ static bool touch_facet(const near_lists *l, rigid_view *v, const soft_frame *f,
                         facet_pair *pair, facet_view *x, answering who)
 {
     const body *soft = &f->body[pair->soft];
-    real share = who == BY_WHOLE ? 0.5 : 1;
-    real apart = share * facet_gap(soft, &f->body[pair->rigid]);
+    real apart = facet_gap(soft, &f->body[pair->rigid]);
     facet_touch t;
     facet_corners(soft, pair->number, x->number);
     for (int k = 0; k < FACET; k++)
@@ -475,43 +472,31 @@ static bool touch_facet(const near_lists *l, rigid_view *v, const soft_frame *f,
     return false;
 }
 
-int touch_facets(near_lists *l, rigid_view *v, const soft_frame *f,
+// After the sticks those that were clear are asked as well, for these pull them; and
+// not what is on its way out of what it began in.
+int touch_facets(near_lists *l, rigid_view *v, const soft_frame *f, answering who,
                  bool is_backward)
 {
     int n = l->facet.count, of = -1, touching = 0;
     facet_view x;
-    l->mets = 0;
     for (int k = 0; k < n; k++) {
-        int number = is_backward ? n - 1 - k : k;
-        facet_pair *pair = &l->facet.at[number];
-        if (pair->until > l->substeps) continue;
+        facet_pair *pair = &l->facet.at[is_backward ? n - 1 - k : k];
+        int trusted = who == BY_WHOLE ? TRUST_MOST - 1 : 0;
+        bool is_out = who == BY_PARTICLE || f->sunk[pair->soft] <= SUNK_PERHAPS;
+        if (pair->until > l->substeps + trusted || !is_out) continue;
         if (pair->rigid != of) x.frame = soft_rigid_frame(f, pair->rigid);
-        of = pair->rigid;
-        touching += touch_facet(l, v, f, pair, &x, BY_PARTICLE);
-        // Its own particles, or those of its neighbours, have moved for it, and
-        // the sticks will pull them back.
-        if (pair->until < l->substeps + TRUST_MOST) l->met[l->mets++] = number;
+        bool touches = touch_facet(l, v, f, pair, &x, who);
+        of = touches ? -1 : pair->rigid;
+        touching += touches;
     }
     return touching;
 }
 
-void hold_facets(const near_lists *l, rigid_view *v, const soft_frame *f)
-{
-    facet_view x;
-    int of = -1;
-    for (int k = 0; k < l->mets; k++) {
-        facet_pair *pair = &l->facet.at[l->met[k]];
-        if (pair->rigid != of || !body_is_fixed(&f->body[pair->rigid]))
-            x.frame = soft_rigid_frame(f, pair->rigid);
-        of = pair->rigid;
-        touch_facet(l, v, f, pair, &x, BY_WHOLE);
-    }
-}
 //<
 
 //> touch-clear
 //>   Joints ask the same two queries whether a cloth is clear of a body
-//>   (chapter 17, *Pins*), and the report asks whether it is cut by one.
+//>   (chapter 17, *Pins*).
 static int soft_facets(const body *soft)
 {
     const shape *s = soft->shape;
@@ -546,22 +531,6 @@ bool touch_is_clear(rigid_view *v, const soft_frame *f, int a, int b)
     return true;
 }
 
-// Most bodies are nowhere near, and most facets in front of the same plane.
-bool touch_is_cut(rigid_view *v, const soft_frame *f, int a, int b, aabb around)
-{
-    const body *soft = &f->body[a];
-    sphere ball = { soft_rigid_frame(f, b).center, f->now[b].radius };
-    if (aabb_distance_squared(&around, ball.center) > ball.radius * ball.radius)
-        return false;
-    rigid_view_update(v, f, b);
-    int ahead = 0;
-    for (int k = 0; k < soft_facets(soft); k++) {
-        vec3 end[FACET];
-        facet_ends(f, soft, k, end);
-        if (!obstacle_is_apart(&v->hull, end, FACET, &ahead)) return true;
-    }
-    return false;
-}
 //<
 
 //> touch-particles

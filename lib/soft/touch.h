@@ -18,24 +18,18 @@ int touch_planes(const soft_frame *f);
 // particles and particles,
 int touch_pairs(const near_lists *l, const soft_frame *f, real *deepest);
 
-// particles and rigid bodies: to this share of the gap that is kept.  Who
-// answers a rigid body's push: a particle, or all that it hangs on?
-typedef enum { BY_PARTICLE, BY_WHOLE } answering;
+// particles and rigid bodies,
 int touch_bodies(const near_lists *l, rigid_view *v, const soft_frame *f,
-                 real share, answering who, bool is_backward);
+                 bool is_backward);
 
 // and triangles and links and what these have that no particle can see: edges
-// and corners.  What still meets them after the sticks, all of it holds.
-int  touch_facets(near_lists *l, rigid_view *v, const soft_frame *f,
-                  bool is_backward);
-void hold_facets(const near_lists *l, rigid_view *v, const soft_frame *f);
+// and corners.  Who answers: the corners of a facet, or all that they hang on?
+typedef enum { BY_PARTICLE, BY_WHOLE } answering;
+int touch_facets(near_lists *l, rigid_view *v, const soft_frame *f, answering who,
+                 bool is_backward);
 
 // Does all of the deformable body a keep its distance from the rigid body b?
 bool touch_is_clear(rigid_view *v, const soft_frame *f, int a, int b);
-
-// Does a triangle or a link of the deformable body a, which is in this box, meet
-// the rigid body b?
-bool touch_is_cut(rigid_view *v, const soft_frame *f, int a, int b, aabb around);
 
 #endif
 //<

@@ -165,7 +165,6 @@ static void near_store(near_lists *l, store *s)
     STORE_TABLE(s, l->point, l->points, l->point_capacity);
     STORE_TABLE(s, l->facet.at, l->facet.count, l->facet_capacity);
     STORE_ROOM(s, l->facets_before.at, l->facet_capacity);
-    STORE_ROOM(s, l->met, l->facet_capacity);
     STORE_ROOM(s, l->ahead, l->particles);
     STORE_ROOM(s, l->at, l->particles);
     STORE_TABLE(s, l->listed, l->particles, l->particles);

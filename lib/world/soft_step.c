@@ -98,7 +98,7 @@ void soft_step(world *w, real h)
     ledger_book(w, LEDGER_STICKS);
     soft_hold(&w->soft, &f);
     pins_end(&w->joints, &f);
-    if (f.certified && certificate_is_due(&w->soft.proof, &f)) soft_prove(w);
+    if (certificate_is_due(&w->soft.proof, &f) && f.certified) soft_prove(w);
     soft_calm(&w->soft, &f);
     ledger_book(w, LEDGER_CONTACTS);
 }

@@ -35,7 +35,8 @@ static void set_up(void)
     ck_assert(certificate_grow(&proof, 0, ALL).ok);
     frame = (soft_frame){ .body = sheet, .asleep = asleep, .bodies = SHEETS,
                           .soft = both, .softs = SHEETS,
-                          .particle = at, .frame = FRAME, .whole = FRAME,
+                          .particle = at, .certified = true,
+                          .frame = FRAME, .whole = FRAME,
                           .age = AGE, .h = AGE,
                           .stiff_substeps = 16 };
 }

@@ -46,7 +46,7 @@ static void solve(void)
     }
     for (count = 1; count < MANIFOLD_POINTS; count++) {
         kept[count - 1] = met.at[chosen[count - 1]];
-        int k = most_exposed(&met, kept, count, MANIFOLD_TURN, -HUGE_VAL);
+        int k = most_exposed(&met, CORNERS, kept, count, MANIFOLD_TURN, -HUGE_VAL);
         if (k < 0) break;
         chosen[count] = k;
     }

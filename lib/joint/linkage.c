@@ -1334,16 +1334,31 @@ void linkage_prepare(linkage *l, const linkage_pass *q)
     find_inverses(l, q);
 }
 
+// Along rows that have nothing to hold, what a joint gives is less in every substep,
+// until its digits end (denormal numbers): with those, processors are several times
+// slower.  So what is so little beside the largest of its impulses is none.  (Any
+// share from rounding to 1e-200 does the same.)
+static const real TRACE = 1e-100;
+
+static void drop_traces(real impulse[JOINT_ROWS])
+{
+    real most = 0;
+    for (int i = 0; i < JOINT_ROWS; i++) most = real_max(most, fabs(impulse[i]));
+    for (int i = 0; i < JOINT_ROWS; i++)
+        if (fabs(impulse[i]) < TRACE * most) impulse[i] = 0;
+}
+
 void linkage_begin(linkage *l, const linkage_pass *q)
 {
     if (l->is_driven) begin_drives(l, q);
     for (int k = 0; k < l->count; k++) {
         joint_rows *r = &l->rows[k];
-        const joint *j = &l->joint[k];
+        joint *j = &l->joint[k];
         if (j->kind == JOINT_NONE) continue;
         if (j->a >= 0) l->body[j->a].has_end = false;
         if (j->b >= 0) l->body[j->b].has_end = false;
         if (l->role[k] == JOINT_IDLE) continue;
+        drop_traces(j->impulse);
         push_both(q, j, r, j->impulse);
     }
 }

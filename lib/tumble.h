@@ -422,10 +422,10 @@ bool tumble_body_push(tumble_world *w, tumble_body b, tumble_vec3 impulse,
                       tumble_vec3 at);
 
 // A force (N) at the centre of mass, and a torque (N m), in the next step; what
-// is set twice adds up.  It is the same in all of the step, so one that depends on
-// where the body is, as the pull of a planet does, brings in energy: a planet is
-// half as far off again after ten rounds of 377 steps.  To push by the force times
-// dt before each step brings in none.
+// is set twice adds up.  The force is the same in all of the step.  So one that
+// depends on where the body is brings in energy: after ten rounds of 377 steps, a
+// planet that a sun pulls is 1.5 times as far from it.  A push by the force times dt
+// before each step brings in none.
 bool tumble_body_force(tumble_world *w, tumble_body b, tumble_vec3 force,
                        tumble_vec3 torque);
 

@@ -132,7 +132,7 @@ static int step_of(int number)
     return k;
 }
 
-// Of those of a body: how many are solved, and how many are not?
+// Of the joints of body b: how many are solved, and how many are left?
 static void count_joints(int b, int *solved, int *left)
 {
     *solved = *left = 0;

@@ -88,7 +88,7 @@ static void move(int number, vec3 to)
 // --- Drawing ----------------------------------------------------------------------
 static int kept_now(void) { return int_min(now + 1, count); }
 
-// How deep each could come that is not kept, as a dot so large.
+// Corner k is a dot, as large as how deep it could come if it were not kept.
 static void draw_danger(int k)
 {
     vec3 kept[MANIFOLD_POINTS];

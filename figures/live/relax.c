@@ -5,7 +5,7 @@
 
 #include "../13/13-tower.h"
 
-enum { RELAXED, KEPT, BOXES };                  // who relaxes, and who does not
+enum { RELAXED, KEPT, BOXES };                  // the box that is relaxed; the other one
 enum { SLOWEST = 36, LAST = 200 };              // frames of a phase; substeps
 typedef enum { WARM, PUSH, MOVE, RELAX, PHASES } phase;
 static const real HALF = 0.5, ASIDE = 1.3;      // m, of a cube; of its middle

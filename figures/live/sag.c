@@ -48,7 +48,7 @@ static void press(int button)
 }
 
 // --- Drawing ----------------------------------------------------------------------
-// Of a cube that is lower than it should be, more.
+// m: how high cube b is drawn, with its sag TIMES as large.
 static real drawn(int k, int b)
 {
     real should = b + 0.5, is = rigid4_frame(pile[k].p[b]).center.y;

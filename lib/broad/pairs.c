@@ -113,8 +113,9 @@ static int find_plane_pairs(pair_list *l, const pair_query *q)
     return n;
 }
 
-// Room for so many, and half as many more.  Returns whether there is more than before.
-static bool make_pairs(pair_list *l, int need)
+// Makes room for so many pairs, and half as many more, if there is too little.
+// Returns whether there is more than before.
+static bool grow_pairs(pair_list *l, int need)
 {
     int room = need + need / 2;
     bool ok = true;
@@ -127,7 +128,7 @@ static bool make_pairs(pair_list *l, int need)
 static void list_plane_pairs(pair_list *l, const pair_query *q, int *lost)
 {
     int walls = find_plane_pairs(l, q);
-    if (make_pairs(l, l->count + walls)) find_plane_pairs(l, q);
+    if (grow_pairs(l, l->count + walls)) find_plane_pairs(l, q);
     l->walls = int_min(walls, l->capacity - l->count);
     *lost += walls - l->walls;
     l->is_cut = *lost > 0;
@@ -189,9 +190,9 @@ static void list_some(pair_list *l, const pair_query *q, int *lost)
         n = find_fresh(l, q);
     int found = int_min(n, l->fresh_capacity);
     broad_order(&l->broad, l->fresh, found);
-    l->walls = 0;               // they are all found again
+    l->walls = 0;               // those with planes are all found again
     pair_list_filter(l, is_still_good, l);
-    make_pairs(l, l->count + found);
+    grow_pairs(l, l->count + found);
     found = int_min(found, l->capacity - l->count);
     merge(l, found);
     *lost = n - found;

@@ -34,10 +34,10 @@ typedef struct {
 // settle, and are in no list after that.  The list is of the others, which are
 // *loose*.  When one that is settled wakes, all pairs are found again.
 typedef struct {
-    int  (*pair)[2];    // [count] a < b, sorted by a, then by b; behind these
+    int  (*pair)[2];    // [count] a < b, sorted by a, then by b,
     int  count, capacity;
-    int  walls;         // what moves, and a plane (contact_with_plane), sorted by
-                        // the numbers of both
+    int  walls;         // and behind these so many of a body and a plane
+                        // (contact_with_plane), sorted by the numbers of both
     long lists;         // how often they were found
     bool is_cut;        // some found no memory: the list does not hold
 
@@ -92,7 +92,7 @@ static inline bool pair_is_settled(const pair_list *l, const int pair[2])
     return l->is_settled[pair[0]] && (pair[1] < 0 || l->is_settled[pair[1]]);
 }
 
-// Leaves only those for which `stays` returns true.
+// Leaves only the pairs for which `stays` returns true.
 typedef bool pair_stays(const void *context, const int pair[2]);
 static inline void pair_list_filter(pair_list *l, pair_stays *stays,
                                     const void *context)

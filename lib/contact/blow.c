@@ -180,10 +180,10 @@ void blow_forget(contact_solver *s)
             left = real4_add(left, *sum);
             k->place[j].blow = zero;
         }
-        // What rubbed under it goes with it, and all friction where something
-        // struck.  It has stopped the slip.  Given again while nothing presses, it
-        // turned the body into the ground, which pushed back: boxes that tumbled
-        // gained energy.
+        // Friction under the blow goes with the blow, and all friction where a
+        // point struck: it has stopped the slip.  If friction were given again
+        // while nothing presses, it would turn the body into the ground, and the
+        // ground would push back: boxes that tumble would gain energy.
         real4 share = real4_if_positive(all, real4_div(left, all), zero);
         share = real4_if_positive(k->struck, zero, share);
         k->struck = zero;

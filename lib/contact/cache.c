@@ -459,11 +459,11 @@ static manifold find_touch(const cache_frame *f, const contact *c,
 
 //> cache-ahead
 // The normal of balls and capsules turns as they pass each other.  So they are asked
-// as they will stand when they touch, or on a floor at the end of the frame, if they
-// do not: the one that is round is shifted, as seen from the other, by the part of the way that
-// closes the gap along the normal, and again, for there the normal is another.  (A
-// ball that comes to a crease sees the edge ahead of it, along a normal that leans
-// back.)  Returns whether they were.
+// as they will stand when they touch: the one that is round is shifted, as seen from
+// the other, by the part of its way that closes the gap along the normal; and again,
+// for there the normal is another.  On a floor, one that does not touch in the frame
+// is asked as it will stand at the end: a ball that comes to a crease sees the edge
+// ahead of it, along a normal that leans back.  Returns whether one was shifted.
 static const real GLIDES = 0.02;            // tuned, radii: less does not count
 
 enum { CORE = 2 };
@@ -756,7 +756,8 @@ static void drop_kept(contact_cache *c, cache_pair *p)
     p->near = -HUGE_VAL;
 }
 
-// Of what was not placed, and of plane `wall`, which is negative; 0: of none.
+// Drops what is kept of bodies that are not placed, and of a plane, if `wall` is one
+// (contact_with_plane); 0: of none.
 static void clear_kept(contact_cache *c, cache_list *l, int wall)
 {
     for (int k = 0; k < l->count; k++) {

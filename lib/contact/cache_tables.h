@@ -107,7 +107,7 @@ typedef struct {
 
     // Whose contacts are which, see seams.h.
     int *first, *last;          // [room] in met, of what is awake
-    int *met;                   // [met_capacity] of pairs
+    int *met;                   // [met_capacity] numbers of pairs
     int met_capacity;
 
     // The contacts of this frame, and how near their points may come in it.

@@ -801,7 +801,7 @@ ALWAYS_INLINE real4 push_points(block *k, const solver_pass *q, pushing *w,
     const real4 rate = real4_all(soft->rate * soft->mass);
     const real4 soft_mass = real4_all(soft->mass);
     const real4 soft_impulse = real4_all(soft->impulse);
-    real4 inverse = inverse_mass(k, two), struck = zero;
+    real4 inverse = inverse_mass(k, two), open = zero;
     for (int j = 0; j < k->points; j++) {
         block_point *p = &k->point[j];
         real4 gap = p->now;
@@ -819,10 +819,10 @@ ALWAYS_INLINE real4 push_points(block *k, const solver_pass *q, pushing *w,
         step = real4_if_positive(on, step, zero);
         push_point(p, real4_sub(p->impulse, step), inverse, &w->parting,
                    &w->sum, &w->u, two);
-        struck = real4_add(struck, real4_if_positive(gap, p->impulse, zero));
+        open = real4_add(open, real4_if_positive(gap, p->impulse, zero));
         w->struck = real4_add(w->struck, striking(q, gap, speed, p->impulse));
     }
-    return struck;
+    return open;
 }
 
 // The first point that strikes turns the body onto the others: what falls flat
@@ -835,11 +835,11 @@ ALWAYS_INLINE void push_block(block *k, const solver_pass *q, bool two,
     pushing w = { .u = take_sides(k, q->velocity, two), .sum = zero, .struck = zero };
     if (k->is_stale && !wakes(k, q, &w.u, two)) return;
     w.parting = part_centers(k->normal, &w.u, two);
-    real4 struck = push_points(k, q, &w, real4_all(1), two, has_impacts);
-    if (k->points > 1 && real4_any(struck)) {
-        struck = real4_mul(struck, k->place[1].has);
+    real4 open = push_points(k, q, &w, real4_all(1), two, has_impacts);
+    if (k->points > 1 && real4_any(open)) {
+        open = real4_mul(open, k->place[1].has);
         for (int i = 1; i < CONTACT_POINTS; i++)
-            push_points(k, q, &w, struck, two, has_impacts);
+            push_points(k, q, &w, open, two, has_impacts);
     }
     push_centers(k, k->normal, w.sum, &w.u, two);
     note_struck(k, w.struck);

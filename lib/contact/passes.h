@@ -65,10 +65,9 @@ typedef struct {
     const real *age;            // [bodies] s, the substep that they are of;
                                 // NULL: one of h
     real friction;              // Coulomb's coefficient, and
-    real restitution;           // of impacts, 0 to 1; 0: there are none.  Of
+    real restitution;           // of impacts, 0 to 1; 0: there are none; of
                                 // all bodies, or
-    const material *material;   // [bodies] each has its own; NULL: these; then
-                                // restitution is the largest,
+    const material *material;   // [bodies] each has its own; NULL: these;
     const material *wall;       // and so has each plane
     real hertz;                 // 1/s, of the contacts' springs, at most
     real damping;               // ratio, of their dampers
@@ -149,7 +148,7 @@ typedef struct {
     bool  is_driven;                    // but B is driven
     bool  is_uneven;                    // a heavy body meets a light one
     bool  is_struck;                    // something struck, see blow_forget
-    real4 struck;                       // N s, that stopped what closed fast
+    real4 struck;                       // > 0: what closed fast was stopped
     int   in_blow;                      // a bit a lane, while it is found
     bool  rubs;                         // friction's impulses may not be 0
     bool  is_stale;                     // rows are those of an older substep

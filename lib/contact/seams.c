@@ -158,7 +158,7 @@ static bool stay_together(const slider *s, int b, int c)
            <= stays_within(s);
 }
 
-// Rule 1.  All of B lies behind the plane in which A touches C.  C keeps A away
+// Behind: all of B lies behind the plane in which A touches C.  C keeps A away
 // from B, unless it lies behind B's plane as well.
 static bool is_behind(const slider *s, const side *b, const side *c)
 {
@@ -179,8 +179,8 @@ static vec3 inwards(const collider *x, int face, vec3 p, real far)
                         : vec3_add(p, way);
 }
 
-// Rule 2.  All points in which A touches B lie in C, or on it, and so does the side of
-// B there; and C stands out further: there is no such side.  (Beside the crease of a
+// Covered: all points in which A touches B lie in C, or on it, and so does the side
+// of B there; and C stands out further: there is no such side.  (Beside the crease of a
 // valley a point of one side lies on the other as well.  The middle of a triangle is
 // seen from its corner at 30 degrees from its sides: four times flush inwards it is
 // twice flush from both.)
@@ -723,13 +723,13 @@ static void correct_large(slider *s, int sides)
     free(of);
 }
 
-// Has body a come on a side in this frame?  Where all are as they were, so are their
-// seams.
+// Has body a come on a side of a floor in this frame?  If not, its seams are as they
+// were.
 static bool has_new_side(const contact_cache *c, const cache_frame *f, int a)
 {
     for (int i = c->first[a]; i < c->last[a]; i++) {
-        const cache_pair *p = &c->pairs.pair[int_max(c->met[i], 0)];
-        if (c->met[i] >= 0 && is_new_on_floor(f, p)
+        const cache_pair *p = &c->pairs.pair[c->met[i]];
+        if (is_new_on_floor(f, p)
             && seams_slider(f, p->key[0], p->key[1]) == a) return true;
     }
     return false;

@@ -27,7 +27,7 @@ static inline rounded rounded_shape(const shape *s, const vec3 *at)
     return (rounded){ { at, s->particles }, s->round, s->rim };
 }
 
-// A ball around it, about the mean of its points.
+// A ball around all of it, whose centre is the mean of the hull's points.
 sphere rounded_ball(rounded r);
 
 typedef struct {

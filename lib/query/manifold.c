@@ -366,7 +366,8 @@ static void patch_draw(patch *p, const view *w)
 //> manifold-bulge
 // A patch bulges if a corner of it lies behind the plane of the face that begins
 // it, by more than rounding.  Then the body comes to rest on that face, which may
-// lie in the middle of the patch.  Its corners are given, but none of a flat patch.
+// lie in the middle of the patch.  `middle` gets the corners of that face; it has
+// none if the patch is flat.
 static void patch_middle(patch *middle, const patch *p, const view *w)
 {
     bool bulges = false;
@@ -545,8 +546,8 @@ enum { MOST_MEETINGS = 4 * PATCH_CORNERS };
 typedef struct {
     real  margin;               // m, what is further apart does not count
     real  same;                 // m, corners nearer to each other are one
-    int   middle;               // the first so many are of faces on which a body
-                                // lies whose patch bulges
+    int   middle;               // the first so many are of a face on which a body
+                                // lies, because its patch bulges
     int   count;
     touch of[MOST_MEETINGS];
     vec3  at[MOST_MEETINGS];    // m, x and y: as seen
@@ -744,10 +745,11 @@ static int most_exposed(const meetings *m, int count, const vec3 *kept, int n,
 //<
 
 //> manifold-choose
-// out[0] is corner `first`.  Then come, one by one, those three
-// without which the body could sink deepest, first of those on which it lies: two
-// vertices in the middle of a lens are near each other, and bear all of it.  Of a body that turns further than it
-// is asked for, what still stays open goes.  Returns how many there are.
+// out[0] is corner `first`.  Then come, one by one, those three without which the
+// body could sink deepest, first of those on which it lies: two vertices in the
+// middle of a lens are near each other, and bear all of it.  Of a body that turns
+// further than it is asked for, what still stays open goes.  Returns how many there
+// are.
 static int choose_exposed(const meetings *m, int first, real turn, touch *out)
 {
     vec3 kept[MANIFOLD_POINTS] = { m->at[first] };
@@ -762,7 +764,6 @@ static int choose_exposed(const meetings *m, int first, real turn, touch *out)
     }
     return n;
 }
-
 //<
 
 //> manifold-order
@@ -815,7 +816,6 @@ static void begin_with_lowest(meetings *m)
         turn_corners(m, first, k);
     }
 }
-
 //<
 
 //> manifold-keep
@@ -837,7 +837,7 @@ static int choose(const meetings *m, real slack, real turn,
 //<
 
 //> manifold-find
-// All corners, and first those of the face on which a patch that bulges lies.
+// All corners, first those of the face on which the body lies, if its patch bulges.
 static void meet_patches(const patch *p, const patch *q, const view *w,
                          meetings *m)
 {

@@ -39,9 +39,10 @@ typedef struct {
 // corners are near.  Else point[0] is the deepest corner, and the others those
 // without which the bodies could sink deepest; the pair, which may be any point
 // of two faces that are parallel, is dropped.  Of a patch that bulges, the corners
-// of the face at the nearest vertex that leans least come before those of its rim:
-// on that face the body lies, or will.  Of two corners at one place one is given.  Two edges count as side by side up to
-// half a degree; their points may then be off the normal by as much.
+// of one face come before those of its rim: of the faces at the nearest vertex the
+// one that leans least, for on that the body lies, or will.  Of two corners at one
+// place one is given.  Two edges count as side by side up to half a degree; their
+// points may then be off the normal by as much.
 // Requires nearest->near.  The count is >= 1; where numbers are not finite, the
 // pair as it was given may be all.
 manifold manifold_find(const collider *a, const collider *b,

@@ -1206,7 +1206,7 @@ static void stand_still(const frame_search *l)
     go_along(l);
 }
 
-// Before all of it stands still for a piece.
+// So often each is tried before all cloth stands still for the way.
 enum { PARTINGS = 4, PROOF_ROUNDS = 16 };
 
 static void certify(const frame_search *l)

@@ -89,8 +89,8 @@ typedef struct {
     int  right, bottom; // up to here the patch reaches that has its cell, see
                         // mark_windows; 0: there is none
     bool crossed;       // it is of a pair that crossed at first
-    bool is_cut;        // it is the first of a body of which a rigid one cut a
-                        // facet at the end
+    bool is_cut;        // it is the first of a body, and a rigid body cut a facet
+                        // of that at the end
     int  patch;         // a vertex of what goes as one with it, or itself; that
     int  rides;         // knows the rigid body that it goes with, -1: none,
     bool is_whole;      // if there are others,
@@ -147,14 +147,14 @@ bool certificate_is_due(certificate *c, const soft_frame *f);
 // that cloth, or of one that it meets, none does now; and if none, and no link of a
 // rope, met a rigid body.  Where the end cannot be proved to be so, particles are
 // parted, or go as one, or with a body that does not yield; what is free keeps its
-// momentum.  Pairs that
-// crossed when the way began are left out, and those beside them; so is what is in
-// the way of two bodies.  near, view: what rigid bodies may be met; NULL: none.
-// Where nothing is to be certified, it only looks what is cut by them.
+// momentum.  Pairs that crossed when the way began are left out, and those beside
+// them; so is what is in the way of two bodies.  Where nothing is to be certified,
+// only what rigid bodies cut is looked for.  near, view: what rigid bodies may be
+// met; NULL: none.
 void certificate_end(certificate *c, const soft_frame *f, const near_lists *near,
                      rigid_view *view);
 
-// Is it cut by a rigid body, where the last way ended?
+// Did a rigid body cut this deformable one where the last way ended?
 bool certificate_is_cut(const certificate *c, const body *soft);
 
 // A particle has been moved at the end of a way: that is a part of all of it.

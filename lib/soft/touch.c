@@ -472,18 +472,20 @@ static bool touch_facet(const near_lists *l, rigid_view *v, const soft_frame *f,
     return false;
 }
 
-// After the sticks those that were clear are asked as well, for these pull them; and
-// not what is on its way out of what it began in.
+// Sticks pull facets that were clear.  So after them (BY_WHOLE) all are asked that
+// were not clear by far, but none of a body that is on its way out of what it began
+// in.
 int touch_facets(near_lists *l, rigid_view *v, const soft_frame *f, answering who,
                  bool is_backward)
 {
     int n = l->facet.count, of = -1, touching = 0;
+    bool is_after = who == BY_WHOLE;
+    int trusted = is_after ? TRUST_MOST - 1 : 0;
     facet_view x;
     for (int k = 0; k < n; k++) {
         facet_pair *pair = &l->facet.at[is_backward ? n - 1 - k : k];
-        int trusted = who == BY_WHOLE ? TRUST_MOST - 1 : 0;
-        bool is_out = who == BY_PARTICLE || f->sunk[pair->soft] <= SUNK_PERHAPS;
-        if (pair->until > l->substeps + trusted || !is_out) continue;
+        if (pair->until > l->substeps + trusted) continue;
+        if (is_after && f->sunk[pair->soft] > SUNK_PERHAPS) continue;
         if (pair->rigid != of) x.frame = soft_rigid_frame(f, pair->rigid);
         bool touches = touch_facet(l, v, f, pair, &x, who);
         of = touches ? -1 : pair->rigid;
@@ -491,7 +493,6 @@ int touch_facets(near_lists *l, rigid_view *v, const soft_frame *f, answering wh
     }
     return touching;
 }
-
 //<
 
 //> touch-clear
@@ -530,7 +531,6 @@ bool touch_is_clear(rigid_view *v, const soft_frame *f, int a, int b)
     }
     return true;
 }
-
 //<
 
 //> touch-particles

@@ -85,7 +85,7 @@ static void sum_drives(world *w)
     }
 }
 
-// Of all that may touch.
+// The largest of all pairs that may touch in this frame.
 static real largest_restitution(const world *w, const solver_frame *f)
 {
     const rigid_tables *t = &w->rigid;
@@ -377,9 +377,10 @@ static lost_side side_of(const rigid_tables *t, int large, int face,
     return (lost_side){ n, vec3_sub(to, end->center), real_min(was, high) - is };
 }
 
-// How two bodies would turn as one about their common centre, the first at r from
-// the second, with this angular momentum: what each spin would have of it are the
-// rows of a basis, for moments of inertia are symmetric.
+// The spin (rad/s) of two bodies that turn as one about their common centre, the first
+// at r (m) from the second, with this angular momentum.  A matrix takes a spin to its
+// angular momentum, and is symmetric: its row k is what a spin of 1 about axis k has.
+// motion_angular solves the three equations.
 static vec3 spin_together(const motion_basis *a, const motion_basis *b, vec3 r,
                           vec3 angular)
 {

@@ -98,6 +98,7 @@ void soft_step(world *w, real h)
     ledger_book(w, LEDGER_STICKS);
     soft_hold(&w->soft, &f);
     pins_end(&w->joints, &f);
+    // It is asked in any case, for it counts the time of the way.
     if (certificate_is_due(&w->soft.proof, &f) && f.certified) soft_prove(w);
     soft_calm(&w->soft, &f);
     ledger_book(w, LEDGER_CONTACTS);

@@ -370,8 +370,8 @@ static status make_rigid(const shape *s, rigid4 **f)
     return done;
 }
 
-// Enters shape s among those in use, if it is new (that of a part always is, and
-// there may be many); its number in *number.
+// Enters shape s among those in use, if it is new; its number in *number.  The shape
+// of a part is always new, and there may be many, so it is not sought.
 static status enter_shape(world *w, const shape *s, bool is_part, int *number)
 {
     for (int k = 0; k < w->shapes && !is_part; k++) {

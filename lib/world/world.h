@@ -262,9 +262,8 @@ typedef struct {
                                         // it; < 0: they have no lines yet
 } rigid_tables;
 
-// All that have a place for each body: what a saved world keeps of
-// them, what must be zeros where a frame begins, and what a step fills before it
-// reads it.
+// All that have a place for each body: what a saved world keeps of them, what must
+// be zeros where a frame begins, and what a step fills before it reads it.
 #define RIGID_TABLES(KEPT, ZEROS, FILLED)                                     \
     KEPT(dynamic) KEPT(ball) KEPT(age) KEPT(choice) KEPT(held) KEPT(load)     \
     KEPT(material) KEPT(drive)                                                \

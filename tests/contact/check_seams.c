@@ -149,7 +149,7 @@ static real lowest_point(const contact *c)
     return least;
 }
 
-// --- rule 1: behind ----------------------------------------------------------
+// --- behind ------------------------------------------------------------------
 
 // The cube stands on one tile, half of it over the next, and a query found that
 // it is nearest to the side between the two.
@@ -293,7 +293,7 @@ START_TEST(side_behind_a_plane_is_met_from_above)
 }
 END_TEST
 
-// --- rule 2: covered ---------------------------------------------------------
+// --- covered -----------------------------------------------------------------
 
 // B's top lies inside of C, a tile that reaches higher, and A was found on it.
 // Rejects: what is covered holds A up; what sticks out of C does not.

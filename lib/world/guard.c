@@ -403,6 +403,17 @@ static real slowed_to(real most, real part)
     return part > most ? sqrt(real_max(most, 0) / part) : 1;
 }
 
+// A body keeps a share of its own motion, and gets that of one that goes with `mean`
+// and turns with `spin`, in which it is `out` times r away from the centre.
+static void give_together(const motion_basis *of, motion *u, real out, real share,
+                          vec3 mean, vec3 spin, vec3 r)
+{
+    vec3 way = vec3_scale(1 - share, mean);
+    motion more = motion_make(of, vec3_add_scaled(way, out, vec3_cross(spin, r)),
+                              spin);
+    for (int i = 0; i < MOTIONS; i++) u->of[i] = share * u->of[i] + more.of[i];
+}
+
 // Two bodies that have been put elsewhere get back the angular momentum (N m s)
 // that they lost by that: they turn as one body that has it all, and what they do
 // beside that is slowed, for energy must not grow.  (The spin of one of them alone
@@ -414,26 +425,27 @@ static void turn_together(rigid_tables *t, int small, int large, vec3 moment)
     vec3 r = vec3_sub(t->now[small].frame.center, t->now[large].frame.center);
     real sum = a->inverse_mass + b->inverse_mass;
     vec3 apart = vec3_sub(motion_straight(u), motion_straight(v));
-    vec3 had = vec3_add(motion_angular(a, u), motion_angular(b, v));
-    had = vec3_add_scaled(had, 1 / sum, vec3_cross(r, apart));
-    vec3 has = vec3_add(had, moment);
-    vec3 is = spin_together(a, b, r, had), was = spin_together(a, b, r, has);
     vec3 mean = vec3_add_scaled(motion_straight(v), b->inverse_mass / sum, apart);
-    real drifts = vec3_length_squared(mean) * sum
-                / (2 * a->inverse_mass * b->inverse_mass);
-    real energy = motion_energy(a, u) + motion_energy(b, v) - drifts;
-    real turns = vec3_dot(was, has) / 2, rest = energy - vec3_dot(is, had) / 2;
-    real share = slowed_to(energy, turns), beside = slowed_to(energy - turns, rest);
-    vec3 spin = vec3_add_scaled(vec3_scale(share, was), -beside, is);
-    for (int k = 0; k < 2; k++) {
-        const motion_basis *of = k ? b : a;
-        motion *x = k ? v : u;
-        real out = (k ? -1 : 1) * of->inverse_mass / sum;
-        vec3 way = vec3_scale(1 - beside, mean);
-        motion more = motion_make(of, vec3_add_scaled(way, out, vec3_cross(spin, r)),
-                                  spin);
-        for (int i = 0; i < MOTIONS; i++) x->of[i] = beside * x->of[i] + more.of[i];
-    }
+
+    // Angular momenta about their common centre, and the spins of one body with them.
+    vec3 before = vec3_add(motion_angular(a, u), motion_angular(b, v));
+    before = vec3_add_scaled(before, 1 / sum, vec3_cross(r, apart));
+    vec3 after = vec3_add(before, moment);
+    vec3 spin_before = spin_together(a, b, r, before);
+    vec3 spin_after = spin_together(a, b, r, after);
+
+    // Energies: of what moves about that centre, of the new spin, and of the rest.
+    real drift = vec3_length_squared(mean) * sum
+               / (2 * a->inverse_mass * b->inverse_mass);
+    real energy = motion_energy(a, u) + motion_energy(b, v) - drift;
+    real turning = vec3_dot(spin_after, after) / 2;
+    real rest = energy - vec3_dot(spin_before, before) / 2;
+    real share = slowed_to(energy, turning);
+    real beside = slowed_to(energy - turning, rest);
+
+    vec3 spin = vec3_add_scaled(vec3_scale(share, spin_after), -beside, spin_before);
+    give_together(a, u, a->inverse_mass / sum, beside, mean, spin, r);
+    give_together(b, v, -b->inverse_mass / sum, beside, mean, spin, r);
 }
 
 // Both make way, by their masses.  A shift across the way that they go changes

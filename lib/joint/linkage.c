@@ -83,7 +83,9 @@ static int free_joint(const linkage *l)
 // Its body is joined in the next frame, from its begin.
 static void mark_joined(linkage *l, int b)
 {
-    if (b >= 0) l->body[b].seen = l->frames + 1;
+    if (b < 0) return;
+    l->body[b].seen = l->frames + 1;
+    l->body[b].stiff = 0;
 }
 
 status linkage_add(linkage *l, const joint *j, int *number)
@@ -249,32 +251,51 @@ ALWAYS_INLINE void take_speed(real *speed, int rows, real (*row)[MOTIONS],
         speed[k] -= rows_dot(rows, k, row[k], velocity);
 }
 
-// An impulse, in the coordinates of a body's motion.
-static void apply_impulse(const linkage_pass *q, int b, const real impulse[MOTIONS])
+// How the turns of a heavy body have answered what it was given.
+static real turned(const linkage_body *x, int t)
 {
-    real inverse = basis_of(q->f, b)->inverse_mass;
-    for (int i = 0; i < MOTIONS; i++)
-        q->velocity[b].of[i] += (i < MOTION_TURN ? inverse : 1) * impulse[i];
+    real sum = x->then[t];
+    for (int k = 0; k < TURNS; k++) sum += x->light[t][k] * x->given[k];
+    return sum;
 }
 
-ALWAYS_INLINE void push_body(const linkage_pass *q, int rows,
+static void turn_heavy(linkage_body *x, real u[MOTIONS], const real impulse[TURNS])
+{
+    for (int t = 0; t < TURNS; t++) x->given[t] += impulse[t];
+    for (int t = 0; t < TURNS; t++)
+        for (int k = 0; k < TURNS; k++)
+            u[MOTION_TURN + t] += x->light[t][k] * impulse[k];
+}
+
+// An impulse, in the coordinates of a body's motion.
+ALWAYS_INLINE void apply_impulse(linkage *l, const linkage_pass *q, int b,
+                                 const real impulse[MOTIONS])
+{
+    real inverse = basis_of(q->f, b)->inverse_mass;
+    real *u = q->velocity[b].of;
+    for (int i = 0; i < MOTION_TURN; i++) u[i] += inverse * impulse[i];
+    if (l->body[b].is_heavy) turn_heavy(&l->body[b], u, impulse + MOTION_TURN);
+    else for (int i = MOTION_TURN; i < MOTIONS; i++) u[i] += impulse[i];
+}
+
+ALWAYS_INLINE void push_body(linkage *l, const linkage_pass *q, int rows,
                              real (*row)[MOTIONS], int b, const real *impulse)
 {
     real sum[MOTIONS] = { 0 };
     if (!moves(q->f, b)) return;
     drive_by(sum, rows, row, impulse);
-    apply_impulse(q, b, sum);
+    apply_impulse(l, q, b, sum);
 }
 
-static void push_both(const linkage_pass *q, const joint *j, joint_rows *r,
-                      const real *impulse)
+static void push_both(linkage *l, const linkage_pass *q, const joint *j,
+                      joint_rows *r, const real *impulse)
 {
     if (r->count == 3) {
-        push_body(q, 3, r->a, j->a, impulse);
-        push_body(q, 3, r->b, j->b, impulse);
+        push_body(l, q, 3, r->a, j->a, impulse);
+        push_body(l, q, 3, r->b, j->b, impulse);
     } else {
-        push_body(q, r->count, r->a, j->a, impulse);
-        push_body(q, r->count, r->b, j->b, impulse);
+        push_body(l, q, r->count, r->a, j->a, impulse);
+        push_body(l, q, r->count, r->b, j->b, impulse);
     }
 }
 //<
@@ -474,7 +495,7 @@ static void push_more(linkage *l, const linkage_pass *q, int number,
 {
     joint *j = &l->joint[number];
     joint_rows *r = &l->rows[number];
-    push_both(q, j, r, more);
+    push_both(l, q, j, r, more);
     for (int k = 0; k < JOINT_ROWS; k++) {
         j->impulse[k] += more[k];
         if (more[k] != 0) r->since[k] = 0;
@@ -531,7 +552,7 @@ static void solve_alone(linkage *l, const linkage_pass *q, int number,
         what(l, q, number, r->want);
         small_times(r->count, r->inverse, r->want);
         for (int k = 0; k < r->count; k++) j->impulse[k] += r->want[k];
-        push_both(q, j, r, r->want);
+        push_both(l, q, j, r, r->want);
         if (!switch_limit(l, q, number, what)) return;
         factor_alone(l, q, number);
     }
@@ -558,7 +579,7 @@ static void reset_body(linkage *l, int b)
     x->united = b;
     x->first = x->step = x->place = -1;
     x->left = 0;
-    x->is_jolted = false;
+    x->is_jolted = x->is_heavy = false;
     x->seen = l->frames;
 }
 
@@ -772,8 +793,9 @@ typedef struct {
     int stays[FRONT_MOST];  // where those are that do
 } front;
 
-static int add_own(front *x, const linkage_pass *q, int b)
+static int add_own(front *x, const linkage *l, const linkage_pass *q, int b)
 {
+    const linkage_body *y = &l->body[b];
     int n = x->count++, own = n > 0 && x->of[0].step < 0;
     real inverse = basis_of(q->f, b)->inverse_mass;
     x->of[n].body = b;
@@ -782,6 +804,9 @@ static int add_own(front *x, const linkage_pass *q, int b)
     for (int i = 0; i < MOTIONS; i++)
         for (int m = 0; m < MOTIONS; m++)
             x->own[own].of[i][m] = i != m ? 0 : i < MOTION_TURN ? inverse : 1;
+    for (int i = 0; i < TURNS && y->is_heavy; i++)
+        memcpy(x->own[own].of[MOTION_TURN + i] + MOTION_TURN, y->light[i],
+               sizeof y->light[i]);
     return n;
 }
 
@@ -812,10 +837,10 @@ static int find_in(const front *x, int b)
 static void gather(front *x, linkage *l, const linkage_pass *q, const linkage_step *s)
 {
     x->count = 0;
-    x->a = s->a < 0 ? -1 : s->from[0] < 0 ? add_own(x, q, s->a)
+    x->a = s->a < 0 ? -1 : s->from[0] < 0 ? add_own(x, l, q, s->a)
                          : add_waiting(x, l, s->from[0], s->a);
     if (s->b < 0)               x->b = -1;
-    else if (s->from[1] < 0)    x->b = add_own(x, q, s->b);
+    else if (s->from[1] < 0)    x->b = add_own(x, l, q, s->b);
     else if (s->from[1] == s->from[0]) x->b = find_in(x, s->b);
     else                        x->b = add_waiting(x, l, s->from[1], s->b);
     for (int i = 0, stay = 0; i < x->count; i++) {
@@ -984,7 +1009,7 @@ static void solve_group(linkage *l, const linkage_pass *q, const linkage_group *
         else        solve_outward(n, l, &s[k]);
     }
     for (int i = g->first_body; i < g->end_body; i++)
-        apply_impulse(q, l->order[i], l->body[l->order[i]].impulse);
+        apply_impulse(l, q, l->order[i], l->body[l->order[i]].impulse);
 }
 //<
 
@@ -1024,7 +1049,7 @@ static void take_back(linkage *l, const linkage_pass *q, const linkage_group *g)
             l->rows[k].since[i] = 0;
             l->joint[k].impulse[i] += back[i];
         }
-        push_both(q, &l->joint[k], &l->rows[k], back);
+        push_both(l, q, &l->joint[k], &l->rows[k], back);
     }
     find_ends(l, q, g);
 }
@@ -1100,9 +1125,8 @@ static void settle_bounds(linkage *l, const linkage_pass *q,
 }
 //<
 
-//> linkage-find
-//>   The rows are found where the bodies stand. Matrices are made of them when
-//>   they are first needed.
+//> linkage-heavy
+//>   What pulls harder than a substep follows makes its bodies harder to turn.
 static real length_of(const real *x, int n)
 {
     real sum = 0;
@@ -1110,6 +1134,170 @@ static real length_of(const real *x, int n)
     return sqrt(sum);
 }
 
+static real force_of(const joint *j, const joint_rows *r, real h)
+{
+    const real *p = j->impulse;
+    if (j->kind == JOINT_DISTANCE) return fabs(p[0]) / h;
+    if (j->kind == JOINT_SLIDER)
+        return sqrt(p[0] * p[0] + p[1] * p[1] + p[5] * p[5]) / h;
+    return length_of(p, r->lengths) / h;
+}
+
+// (h w)^2, of the swing about a joint under its pull.
+static real stiffness_of(const joint *j, const joint_rows *r, real h)
+{
+    return h * h * force_of(j, r, h) * r->swing;
+}
+
+static vec3 straight_impulse(const joint *j, const joint_rows *r,
+                             const real (*row)[MOTIONS])
+{
+    vec3 sum = { 0, 0, 0 };
+    for (int k = 0; k < r->lengths; k++)
+        sum = vec3_add_scaled(sum, j->impulse[k],
+                              vec3_make(row[k][0], row[k][1], row[k][2]));
+    return sum;
+}
+
+// A body that turns by d takes its arm r along, and P = h F then gives it a moment
+// that is other by (d x r) x P = r (P d) - d (r P).  Along their sum s = r/|r| + P/|P|
+// the symmetric part of that pushes on; across it, it turns back with |r| |P| s^2 / 4
+// at most.
+static void add_stiffness(const linkage_pass *q, linkage_body *x, int b, vec3 at,
+                          vec3 impulse)
+{
+    vec3 arm = vec3_sub(at, joined_frame(q, b)->center), way[TURNS];
+    real pull = vec3_length(impulse), all = vec3_length(arm);
+    if (!(pull > 0 && all > 0)) return;
+    vec3 s = vec3_add_scaled(vec3_scale(1 / pull, impulse), 1 / all, arm);
+    real times = q->f->h * pull * all / 4;
+    for (int t = 0; t < TURNS; t++)
+        way[t] = vec3_cross(basis_of(q->f, b)->turn[t], s);
+    for (int i = 0; i < TURNS; i++)
+        for (int k = 0; k < TURNS; k++)
+            x->heavy[i][k] += times * vec3_dot(way[i], way[k]);
+}
+
+// A swing with h w > 1 gets so much inertia that h w is 1 again.
+static void weigh_joined(linkage_body *x)
+{
+    real all = x->heavy[0][0] + x->heavy[1][1] + x->heavy[2][2];
+    real m[JOINT_ROWS][JOINT_ROWS], share = all > 1 ? 1 - 1 / all : 0;
+    for (int i = 0; i < TURNS; i++)
+        for (int k = 0; k < TURNS; k++)
+            m[i][k] = (i == k) + (x->heavy[i][k] *= share);
+    small_invert(TURNS, m);
+    for (int i = 0; i < TURNS; i++) memcpy(x->light[i], m[i], sizeof x->light[i]);
+}
+
+// Does some body swing faster than a substep follows, under the pulls that are known
+// now?
+static bool find_stiff(linkage *l, const linkage_pass *q, const linkage_group *g)
+{
+    bool some = false;
+    for (int i = g->first_body; i < g->end_body; i++) l->body[l->order[i]].stiff = 0;
+    for (const linkage_step *s = l->step + g->first; s < l->step + g->end; s++) {
+        real more = stiffness_of(&l->joint[s->joint], &l->rows[s->joint], q->f->h);
+        if (s->a >= 0) some |= (l->body[s->a].stiff += more) > 1;
+        if (s->b >= 0) some |= (l->body[s->b].stiff += more) > 1;
+    }
+    return some;
+}
+
+// Its bodies get the inertia that its pulls give them.
+static void weigh_group(linkage *l, const linkage_pass *q, linkage_group *g)
+{
+    vec3 a, b;
+    g->is_heavy = true;
+    g->is_ready = g->is_solved = g->is_settled = false;
+    for (int i = g->first_body; i < g->end_body; i++)
+        memset(l->body[l->order[i]].heavy, 0, sizeof l->body->heavy);
+    for (const linkage_step *s = l->step + g->first; s < l->step + g->end; s++) {
+        const joint *j = &l->joint[s->joint];
+        const joint_rows *r = &l->rows[s->joint];
+        joint_points(j, joined_frame(q, j->a), joined_frame(q, j->b), &a, &b);
+        if (s->a >= 0) add_stiffness(q, &l->body[s->a], s->a, a,
+                                     straight_impulse(j, r, r->a));
+        if (s->b >= 0) add_stiffness(q, &l->body[s->b], s->b, b,
+                                     straight_impulse(j, r, r->b));
+    }
+    for (int i = g->first_body; i < g->end_body; i++) {
+        l->body[l->order[i]].is_heavy = true;
+        weigh_joined(&l->body[l->order[i]]);
+    }
+}
+
+// A chain comes taut: its bodies become as heavy as its pulls now make them, and answer
+// once more to all that they were given.  No substep before this one has felt the pull:
+// so it holds back how they turn (implicit Euler), not only how that changes, and takes
+// energy as an impact does.
+static void stiffen_group(linkage *l, const linkage_pass *q, linkage_group *g)
+{
+    for (int i = g->first_body; i < g->end_body; i++) {
+        linkage_body *x = &l->body[l->order[i]];
+        const real *now = q->velocity[l->order[i]].of + MOTION_TURN;
+        for (int t = 0; t < TURNS; t++)
+            x->given[t] = g->is_heavy ? x->given[t] - x->kick[t] : now[t] - x->then[t];
+    }
+    weigh_group(l, q, g);
+    for (int i = g->first_body; i < g->end_body; i++) {
+        linkage_body *x = &l->body[l->order[i]];
+        for (int t = 0; t < TURNS; t++) {
+            x->kick[t] = 0;
+            for (int k = 0; k < TURNS; k++) x->kick[t] -= x->heavy[t][k] * x->then[k];
+            x->given[t] += x->kick[t];
+        }
+        for (int t = 0; t < TURNS; t++)
+            q->velocity[l->order[i]].of[MOTION_TURN + t] = turned(x, t);
+    }
+}
+
+// From here impulses count.
+static void begin_heavy(linkage *l, const linkage_pass *q, linkage_group *g)
+{
+    bool was_stiff = false;
+    for (int i = g->first_body; i < g->end_body; i++) {
+        linkage_body *x = &l->body[l->order[i]];
+        was_stiff |= x->stiff > 1;
+        memcpy(x->then, q->velocity[l->order[i]].of + MOTION_TURN, sizeof x->then);
+        memset(x->given, 0, sizeof x->given);
+        memset(x->kick, 0, sizeof x->kick);
+    }
+    if (!find_stiff(l, q, g)) return;
+    if (was_stiff)  weigh_group(l, q, g);
+    else            stiffen_group(l, q, g);
+}
+
+// The bodies have moved: their own inertia says how what parts is stopped.
+static void end_heavy(linkage *l)
+{
+    for (linkage_group *g = l->group; g < l->group + l->groups; g++) {
+        for (int i = g->first_body; i < g->end_body && g->is_heavy; i++)
+            l->body[l->order[i]].is_heavy = false;
+        g->is_heavy = false;
+    }
+}
+
+// Contacts do not know that a body is heavy: it answers to what they have given it as
+// to what its joints do.
+static void take_pushes(linkage *l, const linkage_pass *q, const linkage_group *g)
+{
+    for (int i = g->first_body; i < g->end_body && g->is_heavy; i++) {
+        linkage_body *x = &l->body[l->order[i]];
+        motion *u = &q->velocity[l->order[i]];
+        real more[TURNS];
+        for (int t = 0; t < TURNS; t++) {
+            more[t] = u->of[MOTION_TURN + t] - turned(x, t);
+            u->of[MOTION_TURN + t] -= more[t];
+        }
+        turn_heavy(x, u->of, more);
+    }
+}
+//<
+
+//> linkage-find
+//>   The rows are found where the bodies stand. Matrices are made of them when
+//>   they are first needed.
 // By how much (m) the points are not where they should be.
 static real parted_by(const joint *j, const joint_rows *r)
 {
@@ -1348,8 +1536,22 @@ static void drop_traces(real impulse[JOINT_ROWS])
         if (fabs(impulse[i]) < TRACE * most) impulse[i] = 0;
 }
 
+static bool is_apart(const linkage *l, const linkage_group *g)
+{
+    for (int s = g->first; s < g->end; s++) {
+        const joint_rows *r = &l->rows[l->step[s].joint];
+        if (parted_by(&l->joint[l->step[s].joint], r) > CONTACT_DEEP * r->size)
+            return true;
+    }
+    return false;
+}
+
 void linkage_begin(linkage *l, const linkage_pass *q)
 {
+    for (linkage_group *g = l->group; g < l->group + l->groups; g++) {
+        g->is_jolted = is_apart(l, g);
+        if (!g->is_jolted) begin_heavy(l, q, g);
+    }
     if (l->is_driven) begin_drives(l, q);
     for (int k = 0; k < l->count; k++) {
         joint_rows *r = &l->rows[k];
@@ -1359,7 +1561,7 @@ void linkage_begin(linkage *l, const linkage_pass *q)
         if (j->b >= 0) l->body[j->b].has_end = false;
         if (l->role[k] == JOINT_IDLE) continue;
         drop_traces(j->impulse);
-        push_both(q, j, r, j->impulse);
+        push_both(l, q, j, r, j->impulse);
     }
 }
 
@@ -1370,30 +1572,6 @@ void linkage_begin(linkage *l, const linkage_pass *q)
 // energy.  A tenth of this saves as much; ten times as much, 3 % of a doll's time.)
 static const real ROUGH = 1e-3;             // tuned, sizes
 
-static real force_of(const joint *j, const joint_rows *r, real h)
-{
-    const real *p = j->impulse;
-    if (j->kind == JOINT_DISTANCE) return fabs(p[0]) / h;
-    if (j->kind == JOINT_SLIDER)
-        return sqrt(p[0] * p[0] + p[1] * p[1] + p[5] * p[5]) / h;
-    return length_of(p, r->lengths) / h;
-}
-
-// A substep follows a swing of angular frequency w if h w is at most 2 (Verlet); two
-// joints and the next body make it twice as fast as one joint alone.
-static bool is_followed(const linkage *l, const linkage_pass *q,
-                        const linkage_group *g)
-{
-    real h = q->f->h;
-    for (int s = g->first; s < g->end; s++) {
-        const joint *j = &l->joint[l->step[s].joint];
-        const joint_rows *r = &l->rows[l->step[s].joint];
-        if (h * h * force_of(j, r, h) * r->swing > 1
-            || parted_by(j, r) > CONTACT_DEEP * r->size) return false;
-    }
-    return true;
-}
-
 // What a body at the end of a substep has of angular momentum if it turns so (rad/s)
 // about its centre.
 static vec3 angular_of(const solver_body *x, vec3 spin)
@@ -1402,36 +1580,40 @@ static vec3 angular_of(const solver_body *x, vec3 spin)
     return motion_angular(&x->basis, &u);
 }
 
-// The centre of mass (m) of a group where its joints bring it.
-static vec3 center_of_group(const linkage *l, const linkage_group *g)
+// A body of a group where it is, or where its joints bring it.
+static const solver_body *placed_body(const linkage *l, const linkage_pass *q, int i,
+                                      bool at_end)
+{
+    int b = l->order[i];
+    return at_end ? &l->body[b].end : &q->f->body[b];
+}
+
+// The centre of mass (m) of a group.
+static vec3 center_of_group(const linkage *l, const linkage_pass *q,
+                            const linkage_group *g, bool at_end)
 {
     vec3 sum = { 0, 0, 0 };
     real mass = 0;
     for (int i = g->first_body; i < g->end_body; i++) {
-        const solver_body *x = &l->body[l->order[i]].end;
+        const solver_body *x = placed_body(l, q, i, at_end);
         sum = vec3_add_scaled(sum, 1 / x->basis.inverse_mass, x->frame.center);
         mass += 1 / x->basis.inverse_mass;
     }
     return vec3_scale(1 / mass, sum);
 }
 
-// With which spin (rad/s) a group has, as one body, the angular momentum that it lost
-// when its bodies were moved aside of how they go.
+// With which spin (rad/s) a group has, as one body, that angular momentum.
 static vec3 spin_of_group(const linkage *l, const linkage_pass *q,
-                          const linkage_group *g, vec3 center)
+                          const linkage_group *g, bool at_end, vec3 lost)
 {
     const vec3 axis[3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
     real inertia[JOINT_ROWS][JOINT_ROWS] = { { 0 } };
-    vec3 lost = { 0, 0, 0 };
+    vec3 center = center_of_group(l, q, g, at_end);
     for (int i = g->first_body; i < g->end_body; i++) {
-        const linkage_body *x = &l->body[l->order[i]];
-        real mass = 1 / x->end.basis.inverse_mass;
-        vec3 r = vec3_sub(x->end.frame.center, center);
-        lost = vec3_add_scaled(lost, q->f->h * mass,
-                               vec3_cross(motion_straight(&x->rest),
-                                          motion_straight(&x->go)));
+        const solver_body *x = placed_body(l, q, i, at_end);
+        vec3 r = vec3_sub(x->frame.center, center);
         for (int k = 0; k < 3; k++) {
-            vec3 of = vec3_add_scaled(angular_of(&x->end, axis[k]), mass,
+            vec3 of = vec3_add_scaled(angular_of(x, axis[k]), 1 / x->basis.inverse_mass,
                                       vec3_cross(r, vec3_cross(axis[k], r)));
             inertia[k][0] += of.x, inertia[k][1] += of.y, inertia[k][2] += of.z;
         }
@@ -1442,12 +1624,55 @@ static vec3 spin_of_group(const linkage *l, const linkage_pass *q,
     return (vec3){ spin[0], spin[1], spin[2] };
 }
 
-// It gets it back: what flies freely keeps its momenta.
+static bool is_free_group(const linkage *l, const linkage_group *g)
+{
+    return l->rows[l->step[g->first].joint].is_free;
+}
+
+// What a body is heavier by is no other body's: what flies freely gets back, as one
+// body, the angular momentum that this has kept from it.
+static void give_back(const linkage *l, const linkage_pass *q,
+                      const linkage_group *g)
+{
+    vec3 lost = { 0, 0, 0 }, center;
+    for (int i = g->first_body; i < g->end_body; i++) {
+        const linkage_body *x = &l->body[l->order[i]];
+        const real *now = q->velocity[l->order[i]].of + MOTION_TURN;
+        motion less = { { 0 } };
+        for (int t = 0; t < TURNS; t++)
+            less.of[MOTION_TURN + t] = x->given[t] - x->kick[t] - (now[t] - x->then[t]);
+        lost = vec3_add(lost, motion_angular(basis_of(q->f, l->order[i]), &less));
+    }
+    vec3 spin = spin_of_group(l, q, g, false, lost);
+    center = center_of_group(l, q, g, false);
+    for (int i = g->first_body; i < g->end_body; i++) {
+        const solver_body *x = placed_body(l, q, i, false);
+        vec3 r = vec3_sub(x->frame.center, center);
+        motion more = motion_make(&x->basis, vec3_cross(spin, r), spin);
+        motion_add(&q->velocity[l->order[i]], &more);
+    }
+}
+
+static void give_back_all(const linkage *l, const linkage_pass *q)
+{
+    for (const linkage_group *g = l->group; g < l->group + l->groups; g++)
+        if (g->is_heavy && is_free_group(l, g)) give_back(l, q, g);
+}
+
+// A group that was moved aside of how it goes gets back what it lost by that: what
+// flies freely keeps its momenta.
 static void turn_group(linkage *l, const linkage_pass *q, const linkage_group *g)
 {
+    vec3 lost = { 0, 0, 0 };
     find_ends(l, q, g);
-    vec3 center = center_of_group(l, g);
-    vec3 spin = spin_of_group(l, q, g, center);
+    for (int i = g->first_body; i < g->end_body; i++) {
+        const linkage_body *x = &l->body[l->order[i]];
+        lost = vec3_add_scaled(lost, q->f->h / x->end.basis.inverse_mass,
+                               vec3_cross(motion_straight(&x->rest),
+                                          motion_straight(&x->go)));
+    }
+    vec3 spin = spin_of_group(l, q, g, true, lost);
+    vec3 center = center_of_group(l, q, g, true);
     for (int i = g->first_body; i < g->end_body; i++) {
         linkage_body *x = &l->body[l->order[i]];
         vec3 r = vec3_sub(x->end.frame.center, center);
@@ -1456,10 +1681,10 @@ static void turn_group(linkage *l, const linkage_pass *q, const linkage_group *g
     }
 }
 
-// A group that a substep cannot follow, as its joints pull too hard or bring together
-// what is far apart, is jolted.  Its joints bring it where it comes, and give it no
-// speed for that: where it then is they only stop what would part it, as in an impact
-// without restitution.  So a jolt keeps momentum, and never gives energy.
+// A group whose joints bring together what is far apart is jolted.  They bring it
+// where it comes, and give it no speed for that: where it then is they only stop what
+// would part it, as in an impact without restitution.  So a jolt keeps momentum, and
+// never gives energy.
 static void jolt_group(linkage *l, const linkage_pass *q, const linkage_group *g)
 {
     for (int i = g->first_body; i < g->end_body; i++)
@@ -1471,7 +1696,7 @@ static void jolt_group(linkage *l, const linkage_pass *q, const linkage_group *g
             back[i] = -l->joint[k].impulse[i];
             l->joint[k].impulse[i] = 0;
         }
-        push_both(q, &l->joint[k], &l->rows[k], back);
+        push_both(l, q, &l->joint[k], &l->rows[k], back);
     }
     for (int i = g->first_body; i < g->end_body; i++) {
         int b = l->order[i];
@@ -1479,26 +1704,60 @@ static void jolt_group(linkage *l, const linkage_pass *q, const linkage_group *g
         SWAP(motion, x->rest, q->velocity[b]);
         x->angular = motion_angular(basis_of(q->f, b), &x->rest);
     }
-    if (l->rows[l->step[g->first].joint].is_free) turn_group(l, q, g);
+    if (is_free_group(l, g)) turn_group(l, q, g);
 }
 
 static void jolt_groups(linkage *l, const linkage_pass *q)
 {
     for (const linkage_group *g = l->group; g < l->group + l->groups; g++) {
-        bool is_jolted = !is_followed(l, q, g);
-        if (is_jolted) jolt_group(l, q, g);
+        if (g->is_jolted) jolt_group(l, q, g);
         for (int i = g->first_body; i < g->end_body; i++)
-            l->body[l->order[i]].is_jolted = is_jolted;
+            l->body[l->order[i]].is_jolted = g->is_jolted;
     }
+}
+
+// Does a joint pull harder than is known of both its bodies?
+static bool is_sudden(const linkage *l, const linkage_pass *q, const linkage_group *g)
+{
+    for (const linkage_step *s = l->step + g->first; s < l->step + g->end; s++) {
+        real now = stiffness_of(&l->joint[s->joint], &l->rows[s->joint], q->f->h);
+        real a = s->a < 0 ? HUGE_VAL : l->body[s->a].stiff;
+        real b = s->b < 0 ? HUGE_VAL : l->body[s->b].stiff;
+        if (now > real_max(real_min(a, b), 1)) return true;
+    }
+    return false;
+}
+
+static void settle_places(linkage *l, const linkage_pass *q, real rough)
+{
+    if (l->is_driven)
+        settle_bounds(l, q, bias_driven_position, IMPACT_STEPS, rough);
+    else                settle_bounds(l, q, bias_position, IMPACT_STEPS, rough);
+}
+
+// Returns whether some group was.
+static bool stiffen_sudden(linkage *l, const linkage_pass *q)
+{
+    bool some = false;
+    for (linkage_group *g = l->group; g < l->group + l->groups; g++) {
+        if (g->is_jolted || !is_sudden(l, q, g)) continue;
+        find_stiff(l, q, g);
+        stiffen_group(l, q, g);
+        some = true;
+    }
+    return some;
 }
 
 void linkage_push(linkage *l, const linkage_pass *q, bool is_last)
 {
     real rough = is_last ? 0 : ROUGH;
-    if (l->is_driven)
-        settle_bounds(l, q, bias_driven_position, IMPACT_STEPS, rough);
-    else                settle_bounds(l, q, bias_position, IMPACT_STEPS, rough);
-    if (is_last) jolt_groups(l, q);
+    for (int k = 0; k < l->groups && is_last; k++) take_pushes(l, q, &l->group[k]);
+    settle_places(l, q, rough);
+    if (!is_last) return;
+    for (int n = 0; n < IMPACT_STEPS && stiffen_sudden(l, q); n++)
+        settle_places(l, q, 0);
+    give_back_all(l, q);
+    jolt_groups(l, q);
 }
 //<
 
@@ -1611,6 +1870,7 @@ void linkage_relax(linkage *l, const linkage_pass *q)
     for (int k = 0; k < l->count; k++)
         memcpy(l->rows[k].pushed, l->joint[k].impulse, sizeof l->rows->pushed);
     find_rows(l, q);
+    end_heavy(l);
     if (l->is_driven)   settle_bounds(l, q, bias_driven_velocity, 1, 0);
     else                settle_bounds(l, q, bias_velocity, 1, 0);
     find_speeds(l, q);

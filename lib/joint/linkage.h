@@ -31,6 +31,13 @@ typedef struct {
     motion rest;            // how it goes without its joints, of a group that is
     vec3 angular;           // jolted; kg m^2/s, its spin in that, about its
     bool is_jolted;         // centre
+    bool is_heavy;          // its joints pull harder than a substep follows: by so
+    real heavy[TURNS][TURNS];   // much more inertia it has, and so its turns
+    real light[TURNS][TURNS];   // answer impulses;
+    real stiff;             // (h w)^2, of its swings under these pulls, at most;
+    real then[TURNS];       // how it turned when this pass began, and the
+    real given[TURNS];      // impulses on its turns since; those of them that
+    real kick[TURNS];       // no other body gave
     int  united;            // union-find: another body that hangs on it
     int  first, left;       // a joint of its list; so many are not solved yet
     int  step;              // that has it in its front; -1: none yet
@@ -46,6 +53,8 @@ typedef struct {
     bool is_solved;         // it was solved before this move;
     bool is_settled;        // nothing is left to be solved;
     bool is_limited;        // some joint has a limit
+    bool is_heavy;          // its bodies are;
+    bool is_jolted;         // it brings together what is far apart
 } linkage_group;
 
 // A joint is solved, and with it the bodies that earlier steps have brought together

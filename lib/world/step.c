@@ -614,8 +614,8 @@ static void substep(world *w, const solver_frame *f, real *since)
     ledger_halfway(w, f->h / 2);
     ledger_book(w, LEDGER_INTEGRATE);
     bounce(w, f);
-    solver_warm(&t->solver, f, t->velocity);
     if (r->hangs) linkage_begin(&w->joints, &joints);
+    solver_warm(&t->solver, f, t->velocity);
     if (r->hangs) linkage_push(&w->joints, &joints, false);
     solver_push(&t->solver, f, t->velocity, t->moved);
     blow_stop(&t->solver, f, t->velocity);

@@ -53,7 +53,7 @@ static bool begin(int n)
                            .thickness = 0.55 * SPACING, .group = 1, .mask = 1 };
     frame = (soft_frame){ .body = sheet, .asleep = asleep, .bodies = SHEETS,
                           .soft = both, .softs = SHEETS, .particle = at,
-                          .frame = FRAME, .whole = FRAME, .age = AGE, .h = AGE,
+                          .certified = true, .frame = FRAME, .whole = FRAME, .age = AGE, .h = AGE,
                           .stiff_substeps = 16 };
     proof = (certificate){ .particles = 0 };
     return certificate_grow(&proof, 0, all).ok;

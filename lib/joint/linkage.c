@@ -1766,7 +1766,7 @@ void linkage_push(linkage *l, const linkage_pass *q, bool is_last)
 //>   swing, and breaks if the force is too great.
 // A substep turns a body by 0.075 rad (FOLLOWED / TURN_PACE, substeps.c): how fast it
 // turns, and would swing under its own weight, decides how exact its orbit is.  With
-// this 5 of 27 thrown linkages (chapter 20, case 169) change their energy by more
+// this 7 of 27 thrown linkages (chapter 20, case 169) change their energy by more
 // than a thousandth, with three quarters of it 10, and 4 of 36 conical pendulums
 // (case 163) go round too fast.
 static const real TURN_PACE = 8;            // tuned, 1

@@ -1082,8 +1082,7 @@ static real find_biases(linkage *l, const linkage_pass *q, const linkage_group *
 }
 
 // Solved once, and again while a joint will miss what it wants by too much, and each
-// solve comes nearer by a tenth.  (If any less will do, one chain of 50 under heavy
-// weights is torn, case 167; if it must be half, rings of hundreds of links are.)
+// solve comes nearer.
 static void settle_group(linkage *l, const linkage_pass *q, linkage_group *g,
                          bias_function *what, int rounds, real rough)
 {
@@ -1099,7 +1098,7 @@ static void settle_group(linkage *l, const linkage_pass *q, linkage_group *g,
                         && switch_limits(l, q, g, what);
         real missed = find_biases(l, q, g, what);
         bool is_settled = (n > 0 || g->is_solved) && missed <= MISS;
-        bool is_nearer = n == 0 || has_changed || missed < 0.9 * before;
+        bool is_nearer = n == 0 || has_changed || missed < before;
         g->is_settled = (is_settled || !is_nearer) && is_last;
         if (!has_changed && (is_settled || n >= rounds || !is_nearer)) return;
         before = missed;
@@ -1159,10 +1158,10 @@ static vec3 straight_impulse(const joint *j, const joint_rows *r,
     return sum;
 }
 
-// A body that turns by d takes its arm r along, and P = h F then gives it a moment
-// that is other by (d x r) x P = r (P d) - d (r P).  Along their sum s = r/|r| + P/|P|
-// the symmetric part of that pushes on; across it, it turns back with |r| |P| s^2 / 4
-// at most.
+// The geometric stiffness.  A body that turns by d takes its arm r along, and P = h F
+// then gives it a moment that is other by (d x r) x P = r (P d) - d (r P).  Along
+// their sum s = r/|r| + P/|P| the symmetric part of that pushes on; across it, it
+// turns back with |r| |P| s^2 / 4 at most.
 static void add_stiffness(const linkage_pass *q, linkage_body *x, int b, vec3 at,
                           vec3 impulse)
 {
@@ -1588,7 +1587,11 @@ static const solver_body *placed_body(const linkage *l, const linkage_pass *q, i
     return at_end ? &l->body[b].end : &q->f->body[b];
 }
 
-// The centre of mass (m) of a group.
+// As one body: its centre of mass (m), and its spin (rad/s).
+typedef struct {
+    vec3 center, spin;
+} one_body;
+
 static vec3 center_of_group(const linkage *l, const linkage_pass *q,
                             const linkage_group *g, bool at_end)
 {
@@ -1602,9 +1605,9 @@ static vec3 center_of_group(const linkage *l, const linkage_pass *q,
     return vec3_scale(1 / mass, sum);
 }
 
-// With which spin (rad/s) a group has, as one body, that angular momentum.
-static vec3 spin_of_group(const linkage *l, const linkage_pass *q,
-                          const linkage_group *g, bool at_end, vec3 lost)
+// A group that has that angular momentum (kg m^2/s) as one body.
+static one_body group_as_one(const linkage *l, const linkage_pass *q,
+                             const linkage_group *g, bool at_end, vec3 angular)
 {
     const vec3 axis[3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
     real inertia[JOINT_ROWS][JOINT_ROWS] = { { 0 } };
@@ -1618,10 +1621,10 @@ static vec3 spin_of_group(const linkage *l, const linkage_pass *q,
             inertia[k][0] += of.x, inertia[k][1] += of.y, inertia[k][2] += of.z;
         }
     }
-    real spin[JOINT_ROWS] = { lost.x, lost.y, lost.z };
+    real spin[JOINT_ROWS] = { angular.x, angular.y, angular.z };
     small_invert(3, inertia);
     small_times(3, inertia, spin);
-    return (vec3){ spin[0], spin[1], spin[2] };
+    return (one_body){ center, { spin[0], spin[1], spin[2] } };
 }
 
 static bool is_free_group(const linkage *l, const linkage_group *g)
@@ -1634,7 +1637,7 @@ static bool is_free_group(const linkage *l, const linkage_group *g)
 static void give_back(const linkage *l, const linkage_pass *q,
                       const linkage_group *g)
 {
-    vec3 lost = { 0, 0, 0 }, center;
+    vec3 lost = { 0, 0, 0 };
     for (int i = g->first_body; i < g->end_body; i++) {
         const linkage_body *x = &l->body[l->order[i]];
         const real *now = q->velocity[l->order[i]].of + MOTION_TURN;
@@ -1643,12 +1646,11 @@ static void give_back(const linkage *l, const linkage_pass *q,
             less.of[MOTION_TURN + t] = x->given[t] - x->kick[t] - (now[t] - x->then[t]);
         lost = vec3_add(lost, motion_angular(basis_of(q->f, l->order[i]), &less));
     }
-    vec3 spin = spin_of_group(l, q, g, false, lost);
-    center = center_of_group(l, q, g, false);
+    one_body all = group_as_one(l, q, g, false, lost);
     for (int i = g->first_body; i < g->end_body; i++) {
         const solver_body *x = placed_body(l, q, i, false);
-        vec3 r = vec3_sub(x->frame.center, center);
-        motion more = motion_make(&x->basis, vec3_cross(spin, r), spin);
+        vec3 r = vec3_sub(x->frame.center, all.center);
+        motion more = motion_make(&x->basis, vec3_cross(all.spin, r), all.spin);
         motion_add(&q->velocity[l->order[i]], &more);
     }
 }
@@ -1671,13 +1673,12 @@ static void turn_group(linkage *l, const linkage_pass *q, const linkage_group *g
                                vec3_cross(motion_straight(&x->rest),
                                           motion_straight(&x->go)));
     }
-    vec3 spin = spin_of_group(l, q, g, true, lost);
-    vec3 center = center_of_group(l, q, g, true);
+    one_body all = group_as_one(l, q, g, true, lost);
     for (int i = g->first_body; i < g->end_body; i++) {
         linkage_body *x = &l->body[l->order[i]];
-        vec3 r = vec3_sub(x->end.frame.center, center);
-        motion_add_straight(&x->rest, 1, vec3_cross(spin, r));
-        x->angular = vec3_add(x->angular, angular_of(&x->end, spin));
+        vec3 r = vec3_sub(x->end.frame.center, all.center);
+        motion_add_straight(&x->rest, 1, vec3_cross(all.spin, r));
+        x->angular = vec3_add(x->angular, angular_of(&x->end, all.spin));
     }
 }
 

@@ -851,11 +851,7 @@ START_TEST(heavy_chain_holds_with_few_substeps)
     for (int substeps = 4; substeps < 9; substeps += 4) {
         real worst = 0;
         begin_with(substeps, EARTH);
-        const shape *s = box_of(0, vec3_make(0.1, 0.1, 0.1), 1);
-        for (int k = 0; k < 50; k++) add(s, placement_at(vec3_make(0.2 * k + 0.1, 0, 0)));
-        s = box_of(1, vec3_make(0.5, 0.5, 0.5), 100);
-        add(s, placement_at(vec3_make(10.25, 0, 0)));
-        for (int k = 0; k < 51; k++) ball(k - 1, k, vec3_make(0.2 * k, 0, 0));
+        hang_chain(100, true);
         real had = energy(), most = most_energy(240, &worst);
         ck_assert_msg(worst < 1e-4, "%d substeps: %g m apart", substeps, worst);
         ck_assert_msg(most - had < 1e-3 * 100 * EARTH * 10, "%d substeps: %g J more",

@@ -408,9 +408,7 @@ static bool may_pair(const void *of, const int pair[2])
     return body_meets(x, y)
         && !(x->is_part && is_past(w, a, listed[b]))
         && !(y->is_part && is_past(w, b, listed[a]))
-        && (w->joints.aparts == 0
-            || !linkage_keeps_apart(&w->joints, body_whole(x, a),
-                                    body_whole(y, b)));
+        && !linkage_keeps_apart(&w->joints, body_whole(x, a), body_whole(y, b));
 }
 
 // A list without those that must not meet, that are joined, and parts of meshes

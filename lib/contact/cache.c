@@ -78,7 +78,7 @@ static void follow_list(contact_cache *c, cache_list *l, const pair_list *list)
         bool is_known = old < l->count
                      && compare_pairs(l->pair[old].key, now) == 0;
         l->spare[k] = is_known ? l->pair[old++]
-                    : (cache_pair){ .key = { now[0], now[1] }, .entry = -1,
+                    : (cache_pair){ .key = { now[0], now[1] }, .entry = -1, .was = -1,
                                     .seen = { -1, -1 } };
     }
     while (old < l->count) release_pair(c, &l->pair[old++]);
@@ -319,7 +319,6 @@ static int new_entry(contact_cache *c)
         if (c->entries == c->entry_capacity) {
             int room = c->entry_capacity + c->entry_capacity / 8 + 64;
             bool ok = true;
-            TABLE_GROW(ok, c->was, c->entries, room);
             TABLE_GROW(ok, c->entry, c->entries, room);
             if (!ok) return -1;
             c->entry_capacity = room;
@@ -355,9 +354,21 @@ static void make_entry(contact_cache *c, const cache_frame *f, cache_pair *p)
     }
 }
 
+// Seams that find a contact on a floor again ask what it was: there is room for that.
+static void make_old(contact_cache *c, const cache_frame *f, cache_pair *p)
+{
+    p->was = -1;
+    if (seams_is_on_floor(f, p) && TABLE_ADD(c->was, c->olds, c->was_capacity))
+        p->was = c->olds++;
+}
+
 static void make_entries(contact_cache *c, const cache_frame *f)
 {
-    for (int k = 0; k < c->pairs.count; k++) make_entry(c, f, &c->pairs.pair[k]);
+    c->olds = 0;
+    for (int k = 0; k < c->pairs.count; k++) {
+        make_old(c, f, &c->pairs.pair[k]);
+        make_entry(c, f, &c->pairs.pair[k]);
+    }
 }
 //<
 
@@ -560,13 +571,9 @@ static void query_plane_pair(contact_cache *c, const cache_frame *f, cache_pair 
 static void query_pair(contact_cache *c, const cache_frame *f, cache_pair *p)
 {
     cache_entry *e = &c->entry[p->entry];
-    contact own, *now = &e->contact, *was = &own;
+    contact own, *now = &e->contact, *was = p->was >= 0 ? &c->was[p->was] : &own;
     bool bequeaths = p->count > 0;
-    // Seams that find a contact on a floor again ask what it was.
-    if (now->piece_b >= 0 && seams_slider(f, now->piece_a, now->piece_b) >= 0)
-        was = &c->was[p->entry];
     if (bequeaths) *was = *now;
-    else           was->count = 0;
     p->near = -HUGE_VAL;
     if (now->piece_b < 0) query_plane_pair(c, f, p, now);
     else                  query_bodies(c, f, p, e);

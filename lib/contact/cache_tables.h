@@ -55,6 +55,7 @@ typedef struct {
 typedef struct {
     int  key[2];        // two bodies, or a body and a plane (contact_with_plane)
     int  entry;         // in the table of contacts; -1: none
+    int  was;           // in that of contacts before this frame; -1: it was none
     int  seen[2];       // of which placing of each body it was found; -1: it is
                         // good for this frame only
     bool is_asked, is_active;   // in this frame
@@ -85,9 +86,9 @@ typedef struct {
     cache_list pairs;           // of those that are listed,
     cache_list still;           // and of those of which nothing is loose
     cache_entry *entry;
-    contact     *was;           // [entries] what those on a floor carried before
-                                // they were asked again in this frame
     int entries, entry_capacity, free_entry;
+    contact     *was;           // [olds] what those on a floor were before they
+    int olds, was_capacity;     // were asked again in this frame
 
     int room;                   // bodies
     rigid_frame *placed;        // [room] where it was when its vertices were
@@ -135,7 +136,7 @@ typedef struct {
     KEPT(entry, (c)->entries, (c)->entry_capacity)                            \
     KEPT(vertex, (c)->vertices, (c)->vertex_room)                             \
     KEPT(placed, (c)->room, (c)->room) KEPT(placing, (c)->room, (c)->room)    \
-    ROOM(was, 0, (c)->entry_capacity) ROOM(met, 0, (c)->met_capacity)         \
+    ROOM(was, 0, (c)->was_capacity) ROOM(met, 0, (c)->met_capacity)         \
     ROOM(first, 0, (c)->room) ROOM(last, 0, (c)->room)                        \
     ROOM(active, 0, (c)->active_capacity) ROOM(of, 0, (c)->active_capacity)   \
     ROOM(reach, 0, (c)->active_capacity)

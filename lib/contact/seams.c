@@ -292,18 +292,20 @@ static manifold find_along(const slider *s, const contact *x, vec3 m)
 //>   The contact gets other points, and the load that it had.
 // Each point of what was hands its impulse to the nearest, as contact_inherit
 // does; none, if the normal was further off than that (a cosine).
-static bool carry_load(const slider *s, const side *x, const contact *was,
+static bool carry_load(const slider *s, const side *x, const cache_pair *p,
                        real alike)
 {
     contact *t = x->contact;
+    if (p->was < 0) return false;
+    const contact *was = &s->c->was[p->was];
     bool is_a = t->piece_a == s->a, was_a = was->piece_a == s->a;
     real sign = is_a == was_a ? 1 : -1;
-    if (t->count == 0 || was->count == 0
+    if (t->count == 0
         || !(vec3_dot(t->normal, vec3_scale(sign, was->normal)) >= alike))
         return false;
     for (int k = 0; k < was->count; k++) {
-        const contact_point *p = &was->point[k];
-        vec3 local = was_a ? p->local_a : p->local_b;
+        const contact_point *old = &was->point[k];
+        vec3 local = was_a ? old->local_a : old->local_b;
         t->impulse[contact_nearest(t, is_a, local)] += was->impulse[k];
     }
     t->friction = vec3_add_scaled(t->friction, sign, was->friction);
@@ -317,7 +319,7 @@ static void take_manifold(const slider *s, side *x, const manifold *m)
     cache_take(t, m, s->f, false);
     find_side_points(s, x);
     contact_clear(t);
-    carry_load(s, x, &s->c->was[x->pair->entry], CONTACT_SAME);
+    carry_load(s, x, x->pair, CONTACT_SAME);
 }
 
 static bool aim(const slider *s, side *x, vec3 m)
@@ -496,7 +498,7 @@ static void carry_left(const slider *s, const side *x)
                                       && !y->pair->is_merged);
         if (!is_gone || y->is_spent || s->f->body[y->b].family != family)
             continue;
-        y->is_spent = carry_load(s, x, &s->c->was[y->pair->entry], ALIKE);
+        y->is_spent = carry_load(s, x, y->pair, ALIKE);
     }
 }
 
@@ -505,7 +507,7 @@ static void carry_floor(const slider *s, const side *x, const int *of, int n)
 {
     contact_clear(x->contact);
     for (int k = 0; k < n; k++)
-        carry_load(s, x, &s->c->was[s->side[of[k]].pair->entry], ALIKE);
+        carry_load(s, x, s->side[of[k]].pair, ALIKE);
     carry_left(s, x);
 }
 
@@ -631,15 +633,12 @@ static bool is_met(const cache_pair *p)
 }
 
 // A floor that was touched until this frame, and is no more.
-static bool is_left(const contact_cache *c, const cache_frame *f,
-                    const cache_pair *p)
+static bool is_left(const cache_pair *p)
 {
-    return p->is_asked && p->count == 0 && p->key[1] >= 0
-        && seams_slider(f, p->key[0], p->key[1]) >= 0
-        && c->was[p->entry].count > 0;
+    return p->was >= 0 && p->count == 0;
 }
 
-static bool is_new_on_floor(const cache_frame *f, const cache_pair *p)
+bool seams_is_on_floor(const cache_frame *f, const cache_pair *p)
 {
     return p->is_asked && p->count > 0 && p->key[1] >= 0
         && seams_slider(f, p->key[0], p->key[1]) >= 0;
@@ -650,7 +649,7 @@ static void list_met(contact_cache *c, const cache_frame *f, bool do_write)
 {
     for (int k = 0; k < c->pairs.count; k++) {
         const cache_pair *p = &c->pairs.pair[k];
-        if (!is_met(p) && !is_left(c, f, p)) continue;
+        if (!is_met(p) && !is_left(p)) continue;
         for (int i = 0; i < 2; i++) {
             int b = p->key[i];
             if (b < 0 || !f->moves[b]) continue;
@@ -688,8 +687,8 @@ static void add_side(slider *s, int k)
     if (owner >= 0 && owner != s->a) return;
     side *x = &s->side[s->sides++];
     *x = (side){ .pair = p, .contact = t, .b = b,
-                 .is_new = owner == s->a && is_new_on_floor(s->f, p),
-                 .is_left = owner == s->a && is_left(c, s->f, p),
+                 .is_new = owner == s->a && seams_is_on_floor(s->f, p),
+                 .is_left = owner == s->a && is_left(p),
                  .n = normal_to(s, t) };
 }
 
@@ -729,7 +728,7 @@ static bool has_new_side(const contact_cache *c, const cache_frame *f, int a)
 {
     for (int i = c->first[a]; i < c->last[a]; i++) {
         const cache_pair *p = &c->pairs.pair[c->met[i]];
-        if (is_new_on_floor(f, p)
+        if (seams_is_on_floor(f, p)
             && seams_slider(f, p->key[0], p->key[1]) == a) return true;
     }
     return false;
@@ -758,7 +757,7 @@ void seams_correct(contact_cache *c, const cache_frame *f)
     cache_work m = { c, f };
     bool is_any = false;
     for (int k = 0; k < c->pairs.count && !is_any; k++)
-        is_any = is_new_on_floor(f, &c->pairs.pair[k]);
+        is_any = seams_is_on_floor(f, &c->pairs.pair[k]);
     if (!is_any) return;
     if (!TABLE_RENEW(c->met, c->met_capacity, 2 * c->pairs.count)) {
         c->lost++;

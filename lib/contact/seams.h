@@ -15,6 +15,9 @@
 // a heap, no side is hidden).  b < 0, a plane: a.
 int seams_slider(const cache_frame *f, int a, int b);
 
+// Is the pair one of such two that touch, and is it asked in this frame?
+bool seams_is_on_floor(const cache_frame *f, const cache_pair *p);
+
 // Mends the contacts that were found in this frame with a side of a floor that
 // another piece hides, or that A cannot reach past one: each is found again
 // along the side that A does reach, or emptied.  And those with pieces of one

@@ -138,6 +138,8 @@ static contact *found_ahead(int b)
 static void mend(void)
 {
     frame.awakes = bodies;
+    for (int k = 0; k < cache.pairs.count; k++)
+        pair[k].was = was[k].count > 0 ? k : -1;
     seams_correct(&cache, &frame);
 }
 

@@ -59,7 +59,6 @@ static void make_contacts(int n, int points)
         for (int j = 0; j < points; j++) {
             c->point[j].local_a = random_vec3(&seed, 0.5);
             c->point[j].local_b = random_vec3(&seed, 0.5);
-            c->point[j].offset = 1e-3 * random_real(&seed);
             c->impulse[j] = 1e-3;
         }
         list[k] = c;

@@ -178,7 +178,6 @@ static inline void cache_take(contact *c, const manifold *m,
         c->point[k] = (contact_point){
             .local_a = cache_local(a, &m->point[k].a),
             .local_b = b ? cache_local(b, &m->point[k].b) : (vec3){ 0, 0, 0 },
-            .offset = c->round_a + c->round_b,
             .own = b ? contact_own(&m->point[k], c) : 1 };
 }
 //<

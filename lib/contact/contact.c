@@ -16,13 +16,13 @@ static void heights_along(vec3 n, const rigid_frame *f, real *center,
 void contact_gaps(const contact *c, const rigid_frame *a, const rigid_frame *b,
                   real height, real gap[CONTACT_POINTS])
 {
-    real center_a, center_b = height;
+    real center_a, center_b = height, out = c->round_a + c->round_b;
     vec3 axis_a, axis_b = { 0, 0, 0 };
     heights_along(c->normal, a, &center_a, &axis_a);
     if (b) heights_along(c->normal, b, &center_b, &axis_b);
     for (int k = 0; k < c->count; k++) {
         const contact_point *p = &c->point[k];
-        gap[k] = center_a - center_b - p->offset
+        gap[k] = center_a - center_b - out
                + vec3_dot(axis_a, p->local_a) - vec3_dot(axis_b, p->local_b);
     }
 }

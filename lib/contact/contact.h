@@ -16,7 +16,6 @@ enum { CONTACT_POINTS = 4 };
 typedef struct {
     vec3 local_a, local_b;  // where they ride: in the frames of the two bodies;
                             // of one that is round, on its core
-    real offset;            // m, the gap that is kept between them
     real own;               // 1: they push where A's point is, a vertex on a
                             // face of B; 0: where B's is; 1/2: halfway
 } contact_point;
@@ -33,7 +32,7 @@ typedef struct {
                             // piece, or of several
     long found;             // when it was, as a number that no other has
     real round_a, round_b;  // m, so far from the points of A and of B, along
-                            // the normal, are their surfaces; offsets hold it
+                            // the normal, are their surfaces
     vec3 normal;
     real impulse[CONTACT_POINTS];   // N s, of each point in the last substep,
                             // along the normal, >= 0
@@ -51,8 +50,8 @@ static inline int contact_with_plane(int number)
     return -1 - number;
 }
 
-// The gaps (m) of all points beside their offsets, when the bodies stand as
-// their frames say; < 0: overlap.  For a plane b is NULL, and height (m) the
+// The gaps (m) of all points, between the surfaces, when the bodies stand as their
+// frames say; < 0: overlap.  For a plane b is NULL, and height (m) the
 // plane's offset along its normal.
 void contact_gaps(const contact *c, const rigid_frame *a, const rigid_frame *b,
                   real height, real gap[CONTACT_POINTS]);

@@ -12,9 +12,9 @@ typedef struct {
     int  a, b;
     vec3 normal, across, aside;
     real across_impulse, aside_impulse, twist;
-    real radius, per_near, round_a, round_b;
+    real radius, per_near, round_a, round_b, height;
     real has[CONTACT_POINTS], own[CONTACT_POINTS];
-    real offset[CONTACT_POINTS], impulse[CONTACT_POINTS];
+    real impulse[CONTACT_POINTS];
     vec3 local_a[CONTACT_POINTS], local_b[CONTACT_POINTS];
 } lane_source;
 
@@ -32,10 +32,8 @@ static void choose_lane_across(lane_source *q, vec3 friction)
 
 // A contact that has fewer points than its block has none there.
 static void choose_points(lane_source *q, const contact *c,
-                          const active_contact *x, const solver_frame *f,
-                          real warm)
+                          const active_contact *x, real warm)
 {
-    real height = c->b < 0 ? f->plane[-1 - c->b].offset : 0;
     for (int j = 0; j < x->count; j++) {
         int k = x->point[j];
         const contact_point *p = &c->point[k];
@@ -43,7 +41,6 @@ static void choose_points(lane_source *q, const contact *c,
         q->local_b[j] = x->is_swapped ? p->local_a : p->local_b;
         q->own[j] = x->is_swapped ? 1 - p->own : p->own;
         q->has[j] = 1;
-        q->offset[j] = p->offset + height;
         q->impulse[j] = warm * c->impulse[k];
     }
 }
@@ -65,9 +62,10 @@ static void choose_lane(lane_source *q, const contact *c,
     q->per_near = NEAR / q->radius;
     q->round_a = x->is_swapped ? c->round_b : c->round_a;
     q->round_b = x->is_swapped ? c->round_a : c->round_b;
+    q->height = c->b < 0 ? f->plane[-1 - c->b].offset : 0;
     q->twist = x->count > 1 ? warm * c->twist : 0;
     choose_lane_across(q, vec3_scale(sign * warm, c->friction));
-    choose_points(q, c, x, f, warm);
+    choose_points(q, c, x, warm);
 }
 //<
 
@@ -88,7 +86,6 @@ static void transpose_place(block_place *p, const lane_source q[REAL4], int j)
 {
     LANES3(p->local_a, q, .local_a[j]);
     LANES3(p->local_b, q, .local_b[j]);
-    p->offset = LANES(q, .offset[j]);
     p->own = LANES(q, .own[j]);
     p->has = LANES(q, .has[j]);
     p->blow = real4_all(0);
@@ -106,6 +103,7 @@ static void transpose(block *k, const lane_source q[REAL4])
     k->radius = LANES(q, .radius);
     k->round_a = LANES(q, .round_a);
     k->round_b = LANES(q, .round_b);
+    k->height = LANES(q, .height);
     k->is_round = real4_any(real4_add(k->round_a, k->round_b));
     for (int j = 0; j < k->points; j++) {
         transpose_place(&k->place[j], q, j);
@@ -124,7 +122,7 @@ typedef struct {
 } bodies4;
 
 // A lane that is left over is of a body that weighs a kilogram; a plane does
-// not move, and its height is in the offsets of its points.
+// not move, and has a height.
 static const solver_body LIGHT = { .basis = { .inverse_mass = 1 } };
 static const solver_body NOWHERE = { .basis = { .inverse_mass = 0 } };
 
@@ -203,18 +201,15 @@ static void find_arms(const block *k, raw_block *raw)
     }
 }
 
-// The arms are of both sides still.  From the cores of what is round its
-// surfaces are a radius away, which the offsets hold.
+// The arms are of both sides still, each to its own surface.
 static void find_gaps(block *k, const raw_block *raw)
 {
-    real4 out = real4_add(k->round_a, k->round_b);
     for (int j = 0; j < k->points; j++) {
         real4 d[3];
         for (int i = 0; i < 3; i++)
             d[i] = real4_add(raw->way[i], real4_sub(raw->arm_a[j][i],
                                                     raw->arm_b[j][i]));
-        real4 gap = real4_add(real4_dot(k->normal, d), out);
-        k->point[j].gap = real4_sub(gap, k->place[j].offset);
+        k->point[j].gap = real4_sub(real4_dot(k->normal, d), k->height);
         k->point[j].now = k->point[j].gap;
     }
 }

@@ -106,7 +106,6 @@ static inline bool solver_strikes(const solver_frame *f, const contact *c)
 // it, and no pass reads it.
 typedef struct {
     real4 local_a[3], local_b[3];   // coordinates in the frames of the bodies
-    real4 offset;       // m, of the gap
     real4 own;          // 1: they push where A's point is; 0: where B's is
     real4 has;          // 1: there is such a point; 0: not
     real4 began;        // N s, its impulse before this substep
@@ -156,6 +155,7 @@ typedef struct {
                                         // closed: rows stay good
     bool  is_round;                     // some are
     real4 round_a, round_b;             // m, see contact
+    real4 height;                       // m, of the plane; of bodies, 0
     real4 per_near;                     // 1/m, of a gap that is all but closed
     real4 radius;                       // m, the smaller one
     real4 began[RUBS];                  // rub before this substep

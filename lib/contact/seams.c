@@ -59,7 +59,7 @@ static int face_towards(const collider *x, vec3 n, real *most)
     return best;
 }
 
-// Its contact seen from A.  (A guard is no point of touch.)
+// Its contact seen from A.
 static void find_side_points(const slider *s, side *x)
 {
     const contact *t = x->contact;
@@ -69,7 +69,6 @@ static void find_side_points(const slider *s, side *x)
     x->points = 0;
     for (int k = 0; k < t->count && x->b >= 0; k++) {
         const contact_point *p = &t->point[k];
-        if (p->offset != t->round_a + t->round_b) continue;
         vec3 at = frame_point(&s->c->placed[x->b],
                               is_a ? p->local_b : p->local_a);
         at = vec3_add_scaled(at, is_a ? t->round_b : t->round_a, x->n);
@@ -482,8 +481,7 @@ static void take_plane(const slider *s, side *x, const manifold *m)
         vec3 own = cache_local(s->f->body[s->a].rigid, of);
         vec3 foot = vec3_add_scaled(feature_at(of, a.at), -down, x->n);
         foot = frame_local(floor, vec3_sub(foot, floor->center));
-        t->point[k] = (contact_point){ is_a ? own : foot, is_a ? foot : own,
-                                       t->round_a + t->round_b, is_a };
+        t->point[k] = (contact_point){ is_a ? own : foot, is_a ? foot : own, is_a };
     }
     x->pair->count = (signed char)t->count;
 }

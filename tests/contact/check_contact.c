@@ -18,35 +18,35 @@ static contact_point any_point(void)
 {
     return (contact_point){ .local_a = random_vec3(&seed, 1),
                             .local_b = random_vec3(&seed, 1),
-                            .offset = random_real(&seed) / 10,
                             .own = floor(3 * random_fraction(&seed)) / 2 };
 }
 
 // --- gaps --------------------------------------------------------------------
 
-// Two boxes of a metre, one on the other, that overlap by 1 cm; the offset of
-// one corner is -1 cm.  A then rises by 3 cm and turns by a small angle.
-// Rejects: heights of the corners at rest; a normal the other way round; an
-// offset with the wrong sign.
+// Two boxes of a metre, one on the other, whose cores overlap by 1 cm; the lower one
+// is round by 2 cm.  A then rises by 3 cm and turns by a small angle.
+// Rejects: heights of the corners at rest; a normal the other way round; a roundness
+// that is left out, or has the wrong sign.
 START_TEST(gaps_are_those_of_the_points_by_hand)
 {
     const vec3 axis[3] = { { 0.5, 0, 0 }, { 0, 0.5, 0 }, { 0, 0, 0.5 } };
     rigid_frame a = { { 0, 1.49, 0 }, { axis[0], axis[1], axis[2] } };
     rigid_frame b = { { 0, 0.5, 0 }, { axis[0], axis[1], axis[2] } };
-    contact c = { .a = 0, .b = 1, .count = 2, .normal = UP,
+    contact c = { .a = 0, .b = 1, .count = 2, .normal = UP, .round_b = 0.02,
                   .point = { { .local_a = { 1, -1, 1 },
                                .local_b = { 1, 1, 1 } },
                              { .local_a = { -1, -1, 1 },
-                               .local_b = { -1, 1, 1 }, .offset = -0.01 } } };
+                               .local_b = { -1, 1, 1 } } } };
     real gap[CONTACT_POINTS];
     contact_gaps(&c, &a, &b, 0, gap);
-    ck_assert(fabs(gap[0] + 0.01) <= ROUNDING && fabs(gap[1]) <= ROUNDING);
+    ck_assert(fabs(gap[0] + 0.03) <= ROUNDING);
+    ck_assert(fabs(gap[1] + 0.03) <= ROUNDING);
     a.center.y += 0.03;
     a.axis[0] = vec3_make(0.4, 0.3, 0);
     a.axis[1] = vec3_make(-0.3, 0.4, 0);
     contact_gaps(&c, &a, &b, 0, gap);
-    ck_assert(fabs(gap[0] - (1.52 + 0.3 - 0.4 - 1)) <= ROUNDING);
-    ck_assert(fabs(gap[1] - (1.52 - 0.3 - 0.4 - 1 + 0.01)) <= ROUNDING);
+    ck_assert(fabs(gap[0] - (1.52 + 0.3 - 0.4 - 1.02)) <= ROUNDING);
+    ck_assert(fabs(gap[1] - (1.52 - 0.3 - 0.4 - 1.02)) <= ROUNDING);
 }
 END_TEST
 
@@ -57,6 +57,8 @@ START_TEST(gaps_follow_bodies_wherever_they_go)
         rigid_frame a = any_frame(random_vec3(&seed, 3));
         rigid_frame b = any_frame(random_vec3(&seed, 3));
         contact c = { .a = 3, .b = 5, .count = n % 5,
+                      .round_a = random_fraction(&seed),
+                      .round_b = random_fraction(&seed),
                       .normal = random_direction(&seed) };
         for (int k = 0; k < c.count; k++) c.point[k] = any_point();
         real gap[CONTACT_POINTS];
@@ -64,7 +66,7 @@ START_TEST(gaps_follow_bodies_wherever_they_go)
         for (int k = 0; k < c.count; k++) {
             vec3 d = vec3_sub(frame_point(&a, c.point[k].local_a),
                               frame_point(&b, c.point[k].local_b));
-            real wanted = vec3_dot(c.normal, d) - c.point[k].offset;
+            real wanted = vec3_dot(c.normal, d) - c.round_a - c.round_b;
             ck_assert(fabs(gap[k] - wanted) <= 10 * ROUNDING);
         }
     }
@@ -77,6 +79,7 @@ START_TEST(gap_to_a_plane_is_the_height_over_it)
     for (int n = 0; n < 200; n++) {
         rigid_frame a = any_frame(random_vec3(&seed, 1));
         contact c = { .a = 0, .b = contact_with_plane(n % 3), .count = 3,
+                      .round_a = random_fraction(&seed),
                       .normal = random_direction(&seed) };
         ck_assert_int_eq(-1 - c.b, n % 3);
         for (int k = 0; k < 3; k++) c.point[k] = any_point();
@@ -84,7 +87,7 @@ START_TEST(gap_to_a_plane_is_the_height_over_it)
         contact_gaps(&c, &a, NULL, height, gap);
         for (int k = 0; k < 3; k++) {
             vec3 x = frame_point(&a, c.point[k].local_a);
-            real wanted = vec3_dot(c.normal, x) - height - c.point[k].offset;
+            real wanted = vec3_dot(c.normal, x) - height - c.round_a;
             ck_assert(fabs(gap[k] - wanted) <= 10 * ROUNDING);
         }
     }

@@ -135,7 +135,6 @@ static void join_balls(int a, int b)
     add_point(c, core, core);
     c->round_a = body[a].radius;
     c->round_b = body[b].radius;
-    c->point[0].offset = c->round_a + c->round_b;
 }
 
 static void put_on_floor(int b)
@@ -144,7 +143,7 @@ static void put_on_floor(int b)
     contact *c = add_contact(b, contact_with_plane(0), up);
     wall[0] = (plane){ .normal = up, .offset = 0 };
     add_point(c, core, core);
-    c->round_a = c->point[0].offset = body[b].radius;
+    c->round_a = body[b].radius;
 }
 
 static int solve(real restitution)

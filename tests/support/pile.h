@@ -73,23 +73,25 @@ static inline contact *pile_contact(pile *p, int a, int b, vec3 normal)
     return c;
 }
 
-// One more point: arms from both centres, and a gap that is made so.
+// One more point: arms from both centres, of which B's, or A's over a plane, is moved
+// along the normal, where it makes that gap.
 static inline void pile_point(pile *p, contact *c, vec3 arm_a, vec3 arm_b,
                               real gap)
 {
     contact_point *q = &c->point[c->count++];
     const rigid_frame *a = &p->body[c->a].frame;
-    vec3 point_a = vec3_add(a->center, arm_a), point_b = arm_b;
-    real height = c->b < 0 ? p->plane[-1 - c->b].offset : 0;
-    *q = (contact_point){ .local_a = local_in(a, arm_a), .own = 1 };
+    real up = vec3_dot(c->normal, vec3_add(a->center, arm_a));
+    *q = (contact_point){ .own = 1 };
     if (c->b >= 0) {
         const rigid_frame *b = &p->body[c->b].frame;
-        point_b = vec3_add(b->center, arm_b);
+        up -= vec3_dot(c->normal, vec3_add(b->center, arm_b));
+        arm_b = vec3_add_scaled(arm_b, up - gap, c->normal);
         q->local_b = local_in(b, arm_b);
     } else {
-        point_b = vec3_scale(height, c->normal);
+        up -= p->plane[-1 - c->b].offset;
+        arm_a = vec3_add_scaled(arm_a, gap - up, c->normal);
     }
-    q->offset = vec3_dot(c->normal, vec3_sub(point_a, point_b)) - gap;
+    q->local_a = local_in(a, arm_a);
 }
 
 // --- chance ------------------------------------------------------------------

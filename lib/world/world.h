@@ -21,17 +21,17 @@
 #include "sleep.h"
 #include "soft.h"
 
-// What the program around a world lends it.
+// The functions that the program around a world lends it; each may be NULL.
 typedef struct {
-    real (*clock)(void);    // s; times the phases; NULL: nothing is timed
+    real (*clock)(void);    // the time (s), to measure the phases with
     tasks run;              // threads; see task.h
-    // Called in each part of a frame, when `ahead` says how far bodies get in it:
-    // adds parts and removes parts (world_add_part), and says whether it added
-    // some.  NULL: there is nothing of which parts come and go.
+    // Called in each part of a frame, once `ahead` says how far bodies move in it.
+    // Adds and removes parts of surfaces (world_add_part), and returns whether it
+    // has added any.
     bool (*surround)(void *surroundings);
-    // Called after that part, by several threads at once: does the way of the
-    // centre of body b go in through one of their faces?  The first such face goes
-    // to *side.
+    // Called after that part of the frame, by several threads at once: does the
+    // centre of body b, on its way between these two points, go in through a face
+    // of those parts?  The first such face goes to *side.
     bool (*enters)(void *surroundings, int b, vec3 from, vec3 to, plane *side);
     void *surroundings;
     // Shall the bodies of this contact push each other in this part of a frame?
@@ -40,37 +40,35 @@ typedef struct {
     void *chooser;
 } world_host;
 
-// In all parts of a frame, with those that are done again, together.
+// The most substeps of a frame: of all its parts, and of those that are done again.
 enum { ALL_SUBSTEPS = 10000 };
 
 typedef struct {
-    real dt;            // s, a frame: one call of world_step; to 1
-    int  substeps;      // of a frame, at least, 1 to ALL_SUBSTEPS; 0: as
-                        // world_substeps says, when the world is made
-    int  most_substeps; // a frame takes more, up to this, for a cloth that
-                        // something fast comes near, and for what bears much
-                        // beside its mass; no more in its four parts
-                        // together, if something is fast
+    real dt;            // s, a frame: one call of world_step; at most 1
+    int  substeps;      // the fewest of a frame, 1 to ALL_SUBSTEPS; 0:
+                        // world_substeps chooses when the world is made
+    int  most_substeps; // the most that a frame takes for loads, swings and
+                        // cloth; of a frame in parts, of all parts together
     vec3 gravity;       // m/s^2
     real friction;      // Coulomb's coefficient, >= 0
-    real restitution;   // of rigid bodies, and of cloth and rope at what does
-                        // not move, 0 to 1: the speed after an impact / the
-                        // speed before
-    real hertz;         // 1/s, of a contact's spring, at most; a substep bears
-                        // an eighth of its own rate.  The lower, the softer do
-                        // bodies settle, and the more do they overlap
-    real stay;          // of a rigid body's radius: one that has gone no
-                        // further since its contacts were found keeps them; 0:
-                        // they are found in every frame
+    real restitution;   // 0 to 1, speed after an impact / speed before: of rigid
+                        // bodies, and of cloth and rope at static bodies
+    real hertz;         // 1/s, the stiffest spring of a contact; a substep of h
+                        // allows 1 / (8 h).  The lower it is, the softer
+                        // bodies land, and the deeper they overlap
+    real stay;          // radii: a rigid body that has moved no further since its
+                        // contacts were found keeps them; 0: they are found in
+                        // every frame
     bool warm_start;    // contacts begin with the impulses of the last frame
-    real sleep_speed;   // m/s, of a body half a metre in radius under 9.81
-                        // m/s^2, see sleep.h: slower ones fall asleep; 0: none
-    real time_to_sleep; // s, so long all of an island must have been slow
+    real sleep_speed;   // m/s, slower bodies fall asleep; 0: none does.  It is
+                        // the speed for a radius of half a metre under 9.81
+                        // m/s^2, see sleep.h
+    real time_to_sleep; // s, for so long a whole island must have been slow
     bool certified;     // cloth never crosses cloth, see certificate.h
-    int  iterations;    // over a cloth's columns and rows in a substep, at
-                        // most; 1 to 10000
+    int  iterations;    // the most over a cloth's columns and rows in a substep,
+                        // 1 to 10000
     relax_options relax;    // of a cloth's links
-    bool ledger;        // what gives and takes energy is booked
+    bool ledger;        // book what gives and takes energy
     world_host host;
 } world_options;
 //<
@@ -83,40 +81,40 @@ enum { PHASE_PAIRS, PHASE_CONTACTS, PHASE_PREPARE, PHASE_SOLVE, PHASE_SOFT,
 // What the last step did.
 typedef struct {
     real time[PHASES];  // s
-    int  substeps;      // of the island that took most; 0: all sleep, and
+    int  substeps;      // of the island that took most; 0: all bodies sleep, and
                         // nothing was done
-    int  pairs;         // of rigid bodies that may meet
-    int  queries;       // of them and of planes, asked where they touch
-    int  contacts;      // of rigid bodies: pairs, and bodies and planes
-    int  pushing;       // of those, how many pushed in the end
-    int  near;          // pairs of particles, and of particle and body, watched
-    int  touching;      // of those, and of particles and planes, how many were
+    int  pairs;         // pairs of rigid bodies that may meet
+    int  queries;       // pairs of bodies, or body and plane, that were asked
+    int  contacts;      // of two rigid bodies, or of a body and a plane,
+    int  pushing;       // and how many of them pushed in the last substep
+    int  near;          // pairs of particles, or of particle and body, in the list
+    int  touching;      // and how many of them, and of particles and planes, were
                         // pushed in the last substep
     int  rebuilt;       // how often that list was made
-    long tested;        // sticks looked at
-    long relaxed;       // sticks moved
+    long tested;        // sticks whose length was tested
+    long relaxed;       // sticks that were moved
     int  fell_back;     // strands that turned too far in a substep
-    int  asleep;        // bodies
+    int  asleep;        // bodies that sleep
     int  unconverged;   // contacts that overlap by more than a tenth of the
-                        // smaller body's radius, joints apart by a hundredth
-                        // of it or of a radian, and ropes and cloths with a
-                        // link that is off by a hundredth
-    int  lost;          // bodies that had no numbers after the substeps of a
-                        // part of the frame, and were stopped: should be 0
-    int  cut;           // parts of the frame that had fewer substeps than
-                        // options ask for, for ALL_SUBSTEPS are all: should be 0
+                        // smaller radius, joints apart by a hundredth of it or
+                        // of a radian, and ropes and cloths with a link that is
+                        // off by a hundredth
+    int  lost;          // bodies whose numbers were not finite after a part of
+                        // the frame, and that were stopped: should be 0
+    int  cut;           // parts of the frame with fewer substeps than the options
+                        // ask for, because of ALL_SUBSTEPS: should be 0
     int  prevented;     // pairs of facets of cloth that were kept from crossing,
-    int  crossed;       // and that cross, as they did when the frame began
-    int  dropped;       // contacts or pairs that found no room: should be 0
+    int  crossed;       // and pairs that cross, as when the frame began
+    int  dropped;       // contacts or pairs that found no memory: should be 0
     int  broken;        // joints that had to bear more than their strength
-    real parted;        // m, the most by which the points of a joint are apart
+    real parted;        // m, the largest gap between the points of a joint
 } step_report;
 //<
 
 //> ledger-struct
 //>   Each phase books the energy and momentum that it gave.
-// What energy and momentum may come from, and go to: gravity and motion,
-// contacts with their friction, sticks, falling asleep.
+// Where energy and momentum come from, and go to: gravity and motion, contacts with
+// their friction, sticks, falling asleep.
 enum { LEDGER_INTEGRATE, LEDGER_CONTACTS, LEDGER_STICKS, LEDGER_SLEEP,
        LEDGERS };
 
@@ -128,21 +126,21 @@ typedef struct {
 //<
 
 //> world-tables
-// A shape in use, and what is found once for all bodies built to it.
+// A shape in use, and what all bodies of that shape have in common.
 typedef struct {
     const struct shape *shape;
-    int  bodies;        // built to it; 0: the entry is free
+    int  bodies;        // how many are made of it; 0: the entry is free
     rigid4 *rigid;      // NULL unless rigid
     real inner;         // m, see shape_inner
     line_scratch *line; // NULL unless deformable
 } shape_entry;
 
-// What pushes a body all through the next frame, from outside.
+// The force and torque from outside on a body, all through the next frame.
 typedef struct {
     vec3 force, torque; // N, N m
 } body_load;
 
-// What a contact gave at once, or in a frame, where it first did.
+// The impulse that a contact gave in a frame, and where it began.
 typedef struct {
     int  a, b;          // as a contact has them
     vec3 point, normal;
@@ -154,68 +152,70 @@ typedef struct {
     vec3 velocity, spin;        // m/s, rad/s
 } body_drive;
 
-// How many substeps an island takes.
+// The number of substeps of an island.
 typedef struct {
-    int now;            // a frame
-    int frames;         // for which fewer would have done
+    int now;            // in a frame
+    int frames;         // for so many frames fewer would have been enough
 } substep_choice;
 
-// What pushes or is joined to another, and what asks it for substeps.  An island
-// is named by one of its bodies.  A driven body is in none: nothing goes on through
-// it, from one island to the next.
+// An island: bodies that push each other or are joined, and what decides how many
+// substeps they take.  It is named by one of its bodies.  A driven body belongs to
+// none, because nothing passes through it from one island to the next.
 typedef struct {
     int  parent;        // union-find: a body of the same island
     int  ground;        // the driven body that it touches; -1: none
     bool rests;         // it touches something at rest, or is joined to it
     real lift;          // N m/s, of all contacts that bear this one body
-    real pulls;         // N, how hard gravity and forces pull, summed over bodies
-    vec3 carried;       // N, what planes, static and driven bodies push it with
-    real weight;        // 1/s^2, the largest of its contacts beside the smaller
-    real squares;       // width; the sum of the squares of what they bear,
-    int  bears;         // which are so many
-    real low, high;     // m, along gravity, how far its bodies reach,
-    real inner, width;  // m, the sums of their inner radii and cache_width,
-    real largest;       // m, the largest radius of its bodies,
-    int  bodies;        // of which there are so many
+    real pulls;         // N, gravity and forces from outside, summed over bodies
+    vec3 carried;       // N, from planes, static and driven bodies
+    real weight;        // 1/s^2, the largest weight on a contact / (effective
+                        // mass, smaller width)
+    real squares;       // 1/s^4, the sum of squares of the same for loads,
+    int  bears;         // over so many contacts
+    real low, high;     // m, how far its bodies reach along gravity
+    real inner, width;  // m, the sums of their inner radii and their widths
+    real largest;       // m, the largest radius of its bodies
+    int  bodies;        // how many there are
     real pace;          // rad/s, of the fastest swing about its joints
     real lasts;         // s, in which a spring would bring it home at its speed
-    bool rubs;          // a contact of it presses
-    bool hangs;         // it has joints, or is soft:
+    bool rubs;          // one of its contacts presses
+    bool hangs;         // it has joints, ropes or cloths
     bool is_soft;       // it has ropes or cloths
-    bool is_calm;       // none of it flies
-    bool is_fast;       // some of it goes by its inner radius in a frame
-    real turn;          // rad, in the frame, of what turns furthest
+    bool is_calm;       // no body of it flies
+    bool is_fast;       // a body moves by its inner radius in a frame
+    real turn;          // rad, the largest turn of a body in the frame
     int  substeps;
-    real energy, mass;  // J, kg, of what touches something
+    real energy, mass;  // J, kg, of the bodies that touch something
     vec3 momentum;      // kg m/s, likewise
-    real loads;         // J, that forces from outside would give, and the sum of
-    real drives;        // the roots (J^(1/2)) of what motors and springs would
+    real loads;         // J, that forces from outside would give
+    real drives;        // J^(1/2), the sum of the roots of what motors and springs
+                        // would give
     real most;          // J, that it may have when the frame ends, see guard.h
-    bool is_lost;       // it has other numbers than it should, or none
+    bool is_lost;       // some of its numbers are wrong, or not finite
 } island;
 
-// Islands that take about as many substeps go together: by_rung[first] to before
-// by_rung[end], and their contacts likewise.
+// A rung: islands that take about the same number of substeps.  Their bodies are
+// by_rung[first] to before by_rung[end], and their contacts likewise.
 typedef struct {
     int substeps;
     int first, end, first_contact, end_contact;
-    bool is_soft;       // all ropes and cloths are here: they have one time
-    bool hangs;         // there are joints
+    bool is_soft;       // it has all ropes and cloths: they share one time
+    bool hangs;         // it has joints
 } rung;
 
-// Each has a quarter more substeps than the one below.
+// Each rung has a quarter more substeps than the one below.
 enum { RUNGS = 16 };    // tuned, rungs
 
-// Rigid bodies in a frame, each phase with its own table: where they are ->
-// which may meet -> where they touch -> what impulses part them -> how far they
-// move.  In `now` and its neighbours a deformable body is immovable, and has a
-// ball of negative radius.
+// Rigid bodies in a frame, with a table for each phase: where they are -> which may
+// meet -> where they touch -> what impulses part them -> how far they move.  A rope
+// or cloth has a place in these tables, too; there it is immovable, and its ball has
+// a negative radius.
 typedef struct {
     const struct body *body;    // [bodies] the world's
-    char        *dynamic;   // [bodies] rigid, and not static
-    char        *moves;     // [bodies] and neither asleep nor kinematic and
-                            // at rest
-    solver_body *now;       // [bodies] where it stands
+    char        *dynamic;   // [bodies] it is rigid, and not static,
+    char        *moves;     // [bodies] and neither asleep, nor kinematic and at
+                            // rest
+    solver_body *now;       // [bodies] where it is now
     sphere      *ball;      // [bodies]
     prediction  *ahead;     // [bodies]
     real        *reach;     // [bodies] of ahead
@@ -225,45 +225,45 @@ typedef struct {
     rigid_frame *asked;     // [bodies] see cache_frame
     rigid_frame *middle;    // [bodies] where its rows are made, see advance.c
     real        *turned;    // [bodies] m, see ahead.c
-    rigid_frame *began;     // [bodies] when they began
-    int         *awake;     // [awakes] all that every step goes over, by number:
-    int          awakes;    // what moves, and what may since it was looked at
-    char        *is_awake;  // [bodies]
-    bool         has_noticed;           // some are not in the list yet
-    motion      *velocity;  // [motions], see solver.h
+    rigid_frame *began;     // [bodies] where it was when the substeps began
+    int         *awake;     // [awakes] the bodies that a step goes over, by number:
+    int          awakes;    // those that move, and those that may by now
+    char        *is_awake;  // [bodies] it is in that list
+    bool         has_noticed;           // some bodies are still to be added to it
+    motion      *velocity;  // [motions] see solver.h
     motion      *moved;     // [motions] since it got its frame and basis
     char        *fresh;     // [bodies] it got them in the last substep
     char        *going;     // [bodies] see advance.c
     char        *touches;   // [bodies] it moves, and has contacts or joints
     real elapsed, elapsed_then;         // s, since the substeps began
     int          motions;
-    solver_body *now_then;  // [bodies] before this substep, which may have to be
-    motion *velocity_then, *moved_then;         // done again
-    char        *held;      // [bodies] by contacts or joints, in the last substep
+    solver_body *now_then;  // [bodies] as they were before this substep, in case
+    motion *velocity_then, *moved_then;         // that it has to be done again
+    char        *held;      // [bodies] contacts or joints held it in the last substep
     body_load   *load;      // [bodies]
-    bool is_loaded;         // some are not 0
-    material    *material;  // [bodies] deformable ones, too
+    bool is_loaded;         // some loads are not 0
+    material    *material;  // [bodies] of ropes and cloths, too
     body_drive  *drive;     // [bodies]
     substep_choice *choice; // [bodies] of the island that it was in last
     island      *island;    // [bodies]
     char        *rung;      // [bodies]
-    int         *by_rung;   // [awakes] what is awake, one rung after the other,
-    int          drivens;   // and before these what is driven
+    int         *by_rung;   // [awakes] first the driven bodies, then those of one
+    int          drivens;   // rung after the other
     rung         rungs[RUNGS];
-    char         on_rung;   // the one that goes now
+    char         on_rung;   // the rung that is solved now
     pair_list      pairs;
     bool           is_new_list;         // of pairs
     contact_cache  cache;
     contact_solver solver;
-    bool         listens;   // what contacts give is written down:
-    heard_impulse *heard;   // [hears] in the last frame
+    bool         listens;   // impulses of contacts are written down:
+    heard_impulse *heard;   // [hears] those of the last frame
     int          hears, heard_room;
     int          heard_from;            // where contacts of this rung begin in
-                                        // it; < 0: they have no lines yet
+                                        // it; < 0: they are not in it yet
 } rigid_tables;
 
-// All that have a place for each body: what a saved world keeps of them, what must
-// be zeros where a frame begins, and what a step fills before it reads it.
+// The tables with a place for each body: those that a saved world keeps, those that
+// must be zeros where a frame begins, and those that a step fills before it reads them.
 #define RIGID_TABLES(KEPT, ZEROS, FILLED)                                     \
     KEPT(dynamic) KEPT(ball) KEPT(age) KEPT(choice) KEPT(held) KEPT(load)     \
     KEPT(material) KEPT(drive)                                                \
@@ -283,29 +283,28 @@ typedef struct world {
     real *inverse_mass;     // [particles] 1/kg, when awake
     int  bodies;            // places of bodies,
     int  gone;              // and how many of them are free
-    int  room;              // for so many there are tables
-    int  free_place, free_entry;    // no place of a body before that one is free,
-                            // and none of a shape
-    int  planes, shapes, softs;     // places of planes; softs: deformable bodies
-    int  plane_room, wall_room, shape_room;     // for so many there are tables
+    int  room;              // the tables of bodies have so many places
+    int  free_place, free_entry;    // no place of a body, or of a shape, before
+                            // these is free
+    int  planes, shapes, softs;     // places of planes and shapes; ropes and cloths
+    int  plane_room, wall_room, shape_room;     // their tables have so many places
     struct body *body;
     struct plane *plane;
-    material *wall;         // [planes] what each is made of
-    int *owner;             // [particles] of the pool: whose they are
-    bool is_damped;         // some rigid bodies are
+    material *wall;         // [planes] the material of each
+    int *owner;             // [particles] the body of each
+    bool is_damped;         // some rigid bodies are damped
     shape_entry *shape;     // [shapes]
     real time;              // s
-    real age;               // s, a particle of a rope or cloth, and of what
-                            // has come, was at `previous` so long ago
-    real frame;             // s, or the part of it that is computed
-    bool is_still;          // all slept when the last step ended, and nothing
-                            // has been done to the world since then
+    real age;               // s ago, particles of ropes, cloths and new bodies were
+                            // at `previous`
+    real frame;             // s, the frame, or the part of it that is computed
+    bool is_still;          // all bodies slept when the last step ended, and the
+                            // world has not been changed since then
     int  dynamic_bodies;    // neither static nor kinematic
     int  kinematic_bodies;
-    bool has_pieces;        // some bodies have had several
-    real most_gravity;      // 1, the largest share of the world's gravity that
-                            // acts on a body
-    bool has_substeps;      // options said how many
+    bool has_pieces;        // some bodies have had several pieces
+    real most_gravity;      // 1, the largest gravity scale of a body
+    bool has_substeps;      // the options said how many
     rigid_tables rigid;
     linkage      joints;
     soft_solver  soft;
@@ -322,14 +321,14 @@ typedef struct world {
 // Steps of 1/60 s, friction 0.5, restitution 0.
 world_options world_options_default(void);
 
-// The substeps of a frame in which nothing asks for more: options.substeps, or
-// else four, or so many that none is longer than 1/240 s.
+// The substeps of a frame in which nothing asks for more: options.substeps if it is
+// not 0, else four, or as many as keep each at 1/240 s or less.
 int world_substeps(const world_options *o);
 
-// The same in this frame, of what is stiff or of anything else.  Where options
-// did not say, it is at least eight for what is stiff: rope, for the errors of a
-// swing go as h^2, and cloth that hangs by pins or bears a body; and in each part
-// of a divided frame.
+// The same for this frame, of stiff bodies or of others.  If the options do not say,
+// it is at least eight for stiff ones, in each part of a divided frame as well: for
+// rope, because the errors of a swing go as h^2, and for cloth that hangs by pins or
+// bears a body.
 int world_usual(const world *w, bool is_stiff);
 
 // An empty world.  Fails, with the option's name, if one is out of range: *w is
@@ -337,40 +336,40 @@ int world_usual(const world *w, bool is_stiff);
 status world_init(world *w, world_options options);
 void   world_free(world *w);    // at any time after world_init, or zeroed
 
-// Adds a body to shape s, which must stay where it is while the body is there;
-// its number in *number (which may be NULL).  At any time between two steps.
-// Fails, adding nothing, if placement_check does, or for want of memory.
+// Adds a body of shape s, which must stay where it is as long as the body exists, at
+// any time between two steps.  Its number goes to *number, which may be NULL.
+// Fails, adding nothing, if placement_check fails or memory is refused.
 status world_add(world *w, const shape *s, placement where, int *number);
 
-// Takes body b away.  What lay on it, or slept with it, wakes.  Its number goes
-// to a body that is added later; until then it is that of a static body without
+// Removes body b.  Bodies that lay on it, or slept with it, wake.  Its number goes
+// to a body that is added later; until then it stands for a static body without
 // particles (body_is_gone).
 void   world_remove(world *w, int b);
 
-// Adds a static body to shape s, with its origin at x, as a part of body `of`:
-// it has that one's material, family and filter.  The part was there before, if
-// not among the bodies: it wakes nothing, and nothing when it is removed.  No
-// other body has the shape.  Fails as world_add does.
+// Adds a static body of shape s, with its origin at x, as a part of the surface
+// `of`, whose material, family and filter it has.  Nothing wakes when a part comes
+// or goes, for the surface was there before.  No other body may have the shape.
+// Fails as world_add does.
 status world_add_part(world *w, const shape *s, vec3 x, int of, int *number);
 // Removes n of them.
 void   world_remove_parts(world *w, const int *part, int n);
 
-// Adds a piece of shape s to body `of`, which is dynamic: it has that one's
-// frame, moves with it, and is removed before it.  Both shapes have one weight, and
-// no other body has either.  Fails, adding nothing, for want of memory.
+// Adds a piece of shape s to the dynamic body `of`: it has that body's frame, moves
+// with it, and must be removed before it.  Both shapes have the weight of the whole
+// body, and no other body may have them.  Fails, adding nothing, if memory is refused.
 status world_add_piece(world *w, const shape *s, int of, int *number);
 
-// The shape of such a place.
+// The shape of a place whose body is gone.
 extern const shape WORLD_NOTHING;
 
-// Adds a half-space that bodies stay out of, x . normal < offset.  The normal
-// points to the free side; it need not be a unit vector (offset is in m times
-// its length).  At any time.  Fails, adding nothing: a normal without direction,
-// numbers that are not finite, or 1e60 m away; for want of memory.
+// Adds a half-space that bodies stay out of, x . normal < offset, at any time.  The
+// normal points to the free side, and may have any length > 0; offset is in metres
+// times that length.  Fails, adding nothing, if the normal has no direction, a number
+// is not finite, the plane is 1e60 m away, or memory is refused.
 status world_add_plane(world *w, vec3 normal, real offset);
 
-// The number that it gets.  A plane that is removed leaves its place to a later
-// one, and stands far below everything until then.
+// The number that the next plane gets.  A plane that is removed leaves its place to a
+// later one; until then the place holds a plane far below everything.
 int    world_next_plane(const world *w);
 void   world_remove_plane(world *w, int k);
 bool   world_has_plane(const world *w, int k);
@@ -378,24 +377,22 @@ bool   world_has_plane(const world *w, int k);
 // Particle i of the deformable body b, which wakes.
 particle *world_particle(world *w, int b, int i);
 
-// Pins particle i of the deformable body b where it is.  At any time.
+// Pins particle i of the rope or cloth b where it is, at any time; and lets it go.
 void   world_pin(world *w, int b, int i);
-// And lets it go.
 void   world_unpin(world *w, int b, int i);
 
-// Gives the deformable body b a stiffness against bending: of a rope in N m^2,
-// of a cloth in N m, see bend.h; 0, as it is added: none.  Fails, changing
-// nothing, if that is negative or not finite.
+// Gives the rope (N m^2) or cloth (N m) b a stiffness against bending, see bend.h.
+// It is 0 at first.  Fails, changing nothing, if that is negative or not finite.
 status world_bend(world *w, int b, real stiffness);
 
-// Lets the links of the deformable body b give: of a rope, by how much a newton
-// stretches a metre of it (1/N); of a cloth, a newton for each metre of its
-// width (m/N).  1e-4 m/N: denim.  0, as it is added: not at all.  Fails,
-// changing nothing, if that is negative or not finite.
+// Lets the links of the rope or cloth b give: by how many metres a newton stretches a
+// metre of a rope (1/N), or a newton on each metre of its width a metre of a cloth
+// (m/N; 1e-4 is denim).  It is 0 at first.  Fails, changing nothing, if that is
+// negative or not finite.
 status world_stretch(world *w, int b, real compliance);
 
-// m/N: what the links of a cloth give by while it is pinned, if nothing else is
-// said.  (Without gravity there is no weight; a rope carries more than itself.)
+// m/N, by which the links of a pinned cloth give if no stretch was set; 0 without
+// gravity, and of a rope.
 real world_taut(const world *w, const body *b);
 
 // Neither static nor kinematic nor asleep.
@@ -404,20 +401,20 @@ static inline bool body_moves(const world *w, int b)
     return body_is_dynamic(&w->body[b]) && !w->sleep.asleep[b];
 }
 
-// s: the particles of body b were at `previous` so long ago, a substep.
+// s, a substep: so long ago the particles of body b were at `previous`.
 static inline real body_age(const world *w, int b)
 {
     return body_is_soft(&w->body[b]) ? w->age : w->rigid.age[b];
 }
 
-// m, the radius of a body; of what is thin, less (cache_width).
+// m, the radius of a body; less of a thin one (cache_width).
 static inline real rigid_width(const rigid_tables *t, int b)
 {
     return cache_width(&t->body[b], t->now[b].radius);
 }
 
-// s: the velocity of rigid body b is that of a moment so long ago, the middle of its
-// last substep.  Gravity has gone on since then, unless contacts or joints held it.
+// s: the velocity of rigid body b is that of so long ago, in the middle of its last
+// substep.  Since then gravity has acted on it, unless contacts or joints held it.
 static inline real rigid_since(const world *w, int b)
 {
     return w->rigid.held[b] ? 0 : w->rigid.age[b] / 2;
@@ -438,39 +435,39 @@ static inline bool body_is_driven(const world *w, int b)
             || vec3_length_squared(d->spin) > 0);
 }
 
-// Wakes body b, and all that sleep with it.
+// Wakes body b, and all bodies that sleep with it.
 void world_wake(world *w, int b);
 
-// Around body b where it is now.
+// The bounding sphere of body b, where it is now.
 sphere world_ball(const world *w, int b);
 
-// Wakes body b, and what sleeps near it: that may lie on it, or hang on it.
+// Wakes body b and the sleepers near it, which may lie on it or hang on it.
 void world_wake_around(world *w, int b);
 
-// The steps look at body b again.  It wakes, comes or changes.
+// From now on steps go over body b again, because it wakes, comes or changes.
 void world_notice(world *w, int b);
 
-// Pins a sleeper where it lies: the other phases only look at what moves.
+// Makes a sleeper immovable, as the other phases expect.
 void world_pin_sleeper(world *w, int b);
 
-// Body b stands there from now on, and nothing is known of it.
+// Puts body b at `where`, and forgets what was known of it.
 void world_place(world *w, int b, const placement *where);
 
-// A body is another than it was: it counts as new.
+// Body b has changed: it counts as new.
 void world_renew(world *w, int b);
 
-// Body a comes near body b: if one of them sleeps and the other did not lie
-// still in the last frame, the sleeper wakes, in time to take its part of the
-// impact, and all that sleep with it.  Returns whether it did.
+// Body a comes near body b.  If one of them sleeps, and the other did not lie still
+// in the last frame, the sleeper wakes with all that sleep with it, in time for the
+// impact.  Returns whether it woke.
 bool world_wake_near(world *w, int a, int b);
 
-// Would it?  Nothing wakes.
+// The answer that world_wake_near would give; nothing wakes.
 bool world_wakes_near(const world *w, int a, int b);
 
-// Writes to at where the vertices of body b are now: shape->particles of them.
+// Writes where the vertices of body b are now: at[shape->particles].
 void   world_vertices(const world *w, const body *b, vec3 *at);
 
-// The same for the points that are drawn of it, see shape_skin.
+// The same for the points by which it is drawn, see shape_skin.
 void   world_skin(const world *w, const body *b, vec3 *at);
 
 //<

@@ -1,6 +1,6 @@
 //> cache-head
 //>   This is what the cache reads of bodies.
-// cache_tables.h - what is read of bodies to find contacts, and what is kept.
+// cache_tables.h - what finding contacts reads of the bodies, and what it keeps.
 //
 // Paper: section 6.1, where contacts do not outlive a step.  Book: chapter 18.
 // Units: metres, kilograms, seconds.  Normals point from B to A.
@@ -13,13 +13,13 @@
 #include "placed.h"
 #include "solver.h"
 
-// m, its radius; of what is thin, twice as much as it is thick.
+// m, the radius of a body; of a thin one at most twice its thickness.
 static inline real cache_width(const body *b, real radius)
 {
     return b->inner > 0 ? real_min(radius, 4 * b->inner) : radius;
 }
 
-// Coordinates, in the frame of the four particles, of a point of a feature.
+// The coordinates of a feature's point in the frame of the four particles.
 static inline vec3 cache_local(const rigid4 *r, const feature_point *f)
 {
     vec3 sum = { 0, 0, 0 };
@@ -31,18 +31,18 @@ static inline vec3 cache_local(const rigid4 *r, const feature_point *f)
 typedef struct {
     const body *body;           // [bodies]
     const solver_body *now;     // [bodies]
-    const rigid_frame *asked;   // [bodies] where it is asked: there, but turned
-                                // as it will be in the middle of the time
+    const rigid_frame *asked;   // [bodies] the frame for queries: where it is now,
+                                // turned as in the middle of the frame
     const prediction *ahead;    // [bodies]
     const char *moves;          // [bodies]
-    const int *awake;           // [awakes] what moves, or has come, by number
+    const int *awake;           // [awakes] bodies that move or are new, by number
     int awakes;
     const pair_list *list;
     bool is_new_list;
-    const plane *plane;         // those that the list names
-    real stay;          // of a body's radius; see world_options
-    bool has_parts;     // of surfaces: a body may lie on very many
-    bool has_pieces;    // some bodies ride on others
+    const plane *plane;         // the planes that the list names
+    real stay;          // radii, see world_options
+    bool has_parts;     // there are surfaces: a body may lie on many parts
+    bool has_pieces;    // some bodies have several pieces
     tasks run;
 } cache_frame;
 //<
@@ -50,22 +50,23 @@ typedef struct {
 //> cache-struct
 //>   And this is what it keeps of a pair: the last answer, and until when it is
 //>   good.
-// What is kept of a pair, or of a body and a plane: small, for it is read in
-// every frame.
+// What is kept of a pair of bodies, or of a body and a plane.  It is small, because it
+// is read in every frame.
 typedef struct {
     int  key[2];        // two bodies, or a body and a plane (contact_with_plane)
-    int  entry;         // in the table of contacts; -1: none
-    int  was;           // in that of contacts before this frame; -1: it was none
-    int  seen[2];       // of which placing of each body it was found; -1: it is
-                        // good for this frame only
+    int  entry;         // its place in the table of contacts; -1: none
+    int  was;           // the place in `was` of what it was before this frame's
+                        // query; -1: none
+    int  seen[2];       // the number of the placing of each body in the query; -1:
+                        // the answer is good for this frame only
     bool is_asked, is_active;   // in this frame
-    bool is_merged;     // a neighbour's contact has its points
-    bool passes;        // one flies past the other, or is held by a third before
-                        // it comes there, unless it is turned aside
+    bool is_merged;     // its points belong to the contact of a neighbouring piece
+    bool passes;        // one body flies past the other, or a third holds it before
+                        // it gets there, unless it is turned aside
     signed char count;  // points
-    real margin;        // m, everything nearer was found
-    real near;          // m, its least gap, and how far both bodies had gone by
-                        // then: it closes when they have gone so far
+    real margin;        // m, the query found everything nearer than this
+    real near;          // m, the least gap, and how far both bodies had moved by
+                        // then: it can close when they have moved so far in all
 } cache_pair;
 
 typedef struct {
@@ -83,27 +84,27 @@ typedef struct {
 } cache_list;
 
 typedef struct {
-    cache_list pairs;           // of those that are listed,
-    cache_list still;           // and of those of which nothing is loose
+    cache_list pairs;           // of the pairs in the list,
+    cache_list still;           // and of pairs that lie still
     cache_entry *entry;
     int entries, entry_capacity, free_entry;
-    contact     *was;           // [olds] what those on a floor were before they
-    int olds, was_capacity;     // were asked again in this frame
+    contact     *was;           // [olds] contacts on floors as they were before this
+    int olds, was_capacity;     // frame's queries
 
     int room;                   // bodies
-    rigid_frame *placed;        // [room] where it was when its vertices were
-                                // last placed
+    rigid_frame *placed;        // [room] the frame in which the vertices of a body
+                                // were last placed
     struct placing {
         int  number;    // how often they were placed,
-        unsigned since; // at last in this update
-        int  first;     // in vertex,
-        int  vertices;  // where so many have room
-        unsigned corners;       // the update in which a contact of fewer than
-                        // four points carried something
-        real path;      // m, how far any of its points has gone at most
-        bool in_range;          // its vertices, for queries
+        unsigned since; // and the update of the last time
+        int  first;     // the first of them in `vertex`,
+        int  vertices;  // and for how many there is room
+        unsigned corners;       // the last update in which a contact of fewer
+                        // than four points bore something
+        real path;      // m, the most that a point of the body has moved in all
+        bool in_range;          // hull_in_range of its vertices
     } *placing;         // [room]
-    vec3 *vertex;       // m
+    vec3 *vertex;       // m, in the world
     int vertices, vertex_room;
 
     // Whose contacts are which, see seams.h.
@@ -111,27 +112,27 @@ typedef struct {
     int *met;                   // [met_capacity] numbers of pairs
     int met_capacity;
 
-    // The contacts of this frame, and how near their points may come in it.
+    // The contacts of this frame.
     contact **active;   // [actives]
-    cache_pair **of;    // [actives] where they are kept
-    real *reach;        // [actives] m
+    cache_pair **of;    // [actives] the pair of each
+    real *reach;        // [actives] m, by which its gap may close in this frame
     int actives, active_capacity;
     unsigned updates;
-    long queries;       // asked in this frame
-    long found;         // contacts, ever
+    long queries;       // in this frame
+    long found;         // contacts so far
     int  lost;          // contacts that found no memory
-    int  fast;          // contacts of bodies that meet later in the frame,
-    int  passing;       // and pairs that may yet, if they are turned aside
+    int  fast;          // contacts of bodies that fly, and meet later in the frame
+    int  passing;       // pairs that meet only if a body is turned aside
 } contact_cache;
 
-// What the threads of an update are given.
+// The data of the threads of an update.
 typedef struct {
     contact_cache *c;
     const cache_frame *f;
 } cache_work;
 
-// All these tables, and for how much there is room: a saved cache keeps what is
-// KEPT, so much of it.
+// The tables of a cache, with the number of elements that a saved cache keeps, and the
+// room of each.
 #define CACHE_TABLES(KEPT, ROOM, c)                                           \
     KEPT(entry, (c)->entries, (c)->entry_capacity)                            \
     KEPT(vertex, (c)->vertices, (c)->vertex_room)                             \
@@ -143,7 +144,7 @@ typedef struct {
 //<
 
 //> cache-own
-// Body b with its vertices where they were last placed.
+// Body b, for queries, with its vertices where they were last placed.
 static inline collider cache_collider(const contact_cache *c,
                                       const cache_frame *f, int b)
 {
@@ -151,8 +152,8 @@ static inline collider cache_collider(const contact_cache *c,
     return (collider){ f->body[b].shape, c->vertex + p->first, p->in_range };
 }
 
-// Where do both push that touch so?  A vertex takes its place along, while the
-// face under it slides: see contact_point.  What is rounder rolls over a vertex,
+// Where does a pair push, see contact_point?  With a vertex, which keeps its place
+// while the face under it slides.  The rounder one of two bodies rolls over a vertex,
 // and touches below its own core.
 static inline real contact_own(const touch *p, const contact *c)
 {
@@ -160,9 +161,9 @@ static inline real contact_own(const touch *p, const contact *c)
     return p->a.count == 1 ? 1 : p->b.count == 1 ? 0 : 0.5;
 }
 
-// Contact c, of whose pieces the first is a body, is what was found.  An answer
-// names features of the two shapes: as a contact they are points of each body, in
-// coordinates of its four particles.
+// Makes contact c, whose first piece is a body, of a manifold.  The manifold names
+// features of the two shapes; the contact has points of each body, in the coordinates
+// of its four particles.
 static inline void cache_take(contact *c, const manifold *m,
                               const cache_frame *f, bool is_ahead)
 {

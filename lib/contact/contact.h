@@ -14,25 +14,25 @@ enum { CONTACT_POINTS = 4 };
 
 // A point of A and a point of B that must not pass each other along the normal.
 typedef struct {
-    vec3 local_a, local_b;  // where they ride: in the frames of the two bodies;
-                            // of one that is round, on its core
-    real own;               // 1: they push where A's point is, a vertex on a
-                            // face of B; 0: where B's is; 1/2: halfway
+    vec3 local_a, local_b;  // in the frames of the two bodies; of a round body a
+                            // point of its core
+    real own;               // where the impulse acts: 1: at A's point, a vertex on
+                            // a face of B; 0: at B's; 1/2: halfway
 } contact_point;
 
-// All contact of one pair of bodies: up to four points with one normal, and one
-// friction for all of them.
+// The contact of a pair of bodies: up to four points with one normal, and one friction
+// for all of them.
 typedef struct {
     int  a, b;              // bodies; b < 0: plane -1 - b
-    int  piece_a, piece_b;  // those that touch: the bodies, or pieces of them
-    int  count;             // points; 0: none as near as they were asked for
+    int  piece_a, piece_b;  // the pieces of them that touch, or the bodies
+    int  count;             // points; 0: none within the margin of the query
     bool is_ahead;          // found where the bodies meet later in the frame, not
                             // where they are
-    bool is_floor;          // found with the plane of a floor: with a face of one
-                            // piece, or of several
-    long found;             // when it was, as a number that no other has
-    real round_a, round_b;  // m, so far from the points of A and of B, along
-                            // the normal, are their surfaces
+    bool is_floor;          // found with the plane of a floor, which is a face of
+                            // one piece, or of several
+    long found;             // a number that no other contact has
+    real round_a, round_b;  // m, how far outside of the points of A and of B their
+                            // surfaces are, along the normal
     vec3 normal;
     real impulse[CONTACT_POINTS];   // N s, of each point in the last substep,
                             // along the normal, >= 0
@@ -56,24 +56,24 @@ static inline int contact_with_plane(int number)
 void contact_gaps(const contact *c, const rigid_frame *a, const rigid_frame *b,
                   real height, real gap[CONTACT_POINTS]);
 
-// Where the impulses of a point act: m, from the centres.
+// Where the impulse of a point acts: m, from the two centres.
 typedef struct {
     vec3 a, b;
 } contact_arms;
 
-// Those of point k, when the bodies stand as their frames say.  For a plane b
-// is NULL, and its arm 0.
+// The arms of point k, with the bodies in these frames.  For a plane b is NULL, and its
+// arm 0.
 contact_arms contact_arms_of(const contact *c, int k, const rigid_frame *a,
                              const rigid_frame *b);
 
-// Where it is on each of them: at one place only when they touch.
+// The two points themselves, one on each body; they coincide when the bodies touch.
 contact_arms contact_sides_of(const contact *c, int k, const rigid_frame *a,
                               const rigid_frame *b);
 
-// The sum of the impulses along the normal (N s): 0 if they do not touch.
+// N s, the sum of the impulses along the normal; 0 if the bodies do not touch.
 real contact_load(const contact *c);
 
-// It carries nothing.
+// Forgets all impulses.
 static inline void contact_clear(contact *c)
 {
     for (int k = 0; k < c->count; k++) c->impulse[k] = 0;
@@ -81,29 +81,28 @@ static inline void contact_clear(contact *c)
     c->twist = 0;
 }
 
-// Which point of A, or of B, is the nearest to that place on it.
+// The number of the point that is nearest to a place on A, or on B.
 int contact_nearest(const contact *c, bool is_a, vec3 local);
 
-// Contact `now` of the same bodies, found again, takes over the impulses of
-// `was`: each old point hands its own to the new point nearest to it (warm
-// starting).  None, if the normal has turned by more: by 45 degrees, whose cosine
-// this is.
+// Warm starting: contact `now` takes over the impulses of `was`, of the same bodies,
+// each old point's to the new point nearest to it.  It takes none if the normal has
+// turned by more than 45 degrees, whose cosine this is.
 static const real CONTACT_SAME = 0.7;       // tuned, 1
 void contact_inherit(contact *now, const contact *was);
 
-// When and where bodies will touch is sought in so many rounds at most, each from
-// what the one before has found; so is what an impact passes on.
+// The most rounds in which the time and place of a touch are sought, each from the last
+// one's answer, and in which an impact is passed on.
 enum { CONTACT_ROUNDS = 8 };                // tuned, rounds
 
-// By how much what bears may give way, of the smaller radius: so many substeps a
-// frame takes (substeps.c).
+// The most by which a contact that bears a load may give way, of the smaller radius; a
+// frame takes as many substeps as that needs (substeps.c).
 static const real CONTACT_GIVES = 0.0035;   // tuned, radii
 
-// An overlap is deep that is more than this, of the smaller radius: it is reported,
-// and so deep inside of a face nothing has come through it.
+// An overlap of more than this part of the smaller radius is deep: it is reported, and
+// a body so deep inside of a face has not come through that face.
 static const real CONTACT_DEEP = 0.1;       // tuned, radii
 
-// Contact c will be read soon: a processor may fetch it already.
+// Lets a processor fetch contact c, which will be read soon.
 static inline void contact_expect(const contact *c)
 {
 #ifdef __GNUC__

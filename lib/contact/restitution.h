@@ -1,5 +1,5 @@
 //> restitution-head
-// restitution.h - bodies that meet fast part again: impacts.
+// restitution.h - impacts: bodies that meet fast bounce.
 //
 // Paper: section 6.1 only parts what overlaps.  Book: chapter 15.
 // Units: metres, kilograms, seconds.  Normals point from B to A.
@@ -12,34 +12,31 @@
 //<
 
 //> restitution-declare
-// The impacts of one substep.  Two bodies whose gap closes within it, and that
-// meet faster than material_slowest, part at f->restitution times the speed
-// at which they met, at the time at which they met; friction acts in the
-// impact, too.  Forward and backward over the n contacts, at most CONTACT_ROUNDS
-// times: an impact that is passed on, as in Newton's cradle, is one more impact.
-// What is passed on at less than a tenth of the fastest blow's speed strikes no
-// more.  Returns how many there were.
+// Makes the impacts of one substep, and returns how many there were.  Two bodies whose
+// gap closes within it, at more than material_slowest, part at restitution times the
+// speed at which they met, at the time at which they met; friction acts in the impact,
+// too.  The n contacts are gone over forward and backward, at most CONTACT_ROUNDS
+// times, because an impact that is passed on, as in Newton's cradle, is one more
+// impact.  It ends where what is passed on is slower than a tenth of the fastest one.
 //
-// velocity and moved, [bodies], say how the bodies move in this substep, with
-// gravity in it, and how far they have gone since they got their frames.
-// The end of the substep is where a body comes that has its old velocity before
-// the impact and the new one after it.  So what flies freely is put, in `body`,
-// which is f->body, to where it would have begun with its new velocity: it
-// is_struck.  Of what is joined, or beside a driven body, `moved` changes.
+// velocity[bodies] is that of this substep, with gravity in it, and moved[bodies] the
+// displacement since each body got its frame.  A body has its old velocity before the
+// time of the impact, and the new one after it.  So a body that moves freely is put, in
+// `body`, which is f->body, to where it would have begun with its new velocity, and
+// is_struck is set.  For one that is joined, or beside a driven body, `moved` changes.
 //
-// No impact adds energy, to rounding, whatever its bodies, points and friction;
-// with restitution 1 and no friction, none takes any.  It keeps the momentum of
-// its two bodies, and, as far as the two points of a contact are in one place
-// when they touch, the angular momentum.  Numbers that are not finite strike
-// nothing.
+// No impact adds energy, to rounding, whatever its bodies, points and friction; with
+// restitution 1 and no friction none takes any.  It keeps the momentum of the two
+// bodies, and the angular momentum as far as the two points of the contact are in one
+// place.  Numbers that are not finite make no impact.
 //
-// To be called before solver_warm; and if there were any, solver_update_gaps must
-// follow: bodies that part after an impact are not held by the solver.
+// Call it before solver_warm.  If there were impacts, solver_update_gaps must follow,
+// because the solver does not hold bodies that part.
 int restitution_solve(const contact *const *table, int n, const solver_frame *f,
                       solver_body *body, motion *velocity, motion *moved);
 
-// If c is of two balls, its normal becomes the line of their centres when the
-// substep ends, as they go now.  Returns whether it is.
+// Of two balls, makes the normal of c the line of their centres at the end of the
+// substep, at their velocities now.  Returns whether c is of two balls.
 bool restitution_face(contact *c, const solver_frame *f,
                       const motion *velocity, const motion *moved);
 //<

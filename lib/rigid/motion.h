@@ -2,7 +2,7 @@
 //>   A box that is thrown about no special axis wobbles. Beside Euler's
 //>   equations, solved by a finer program, half of the step leaves a quarter of
 //>   the error: order 2.
-// motion.h - the six ways in which a rigid body of four particles can move.
+// motion.h - the six degrees of freedom of a rigid body of four particles.
 //
 // Paper: not asked; a body there moves particle by particle.  Book: chapter 13.
 // Units: metres, kilograms, seconds.  Frame: the world's.
@@ -17,22 +17,21 @@
 
 enum { TURNS = 3 };
 
-// How a rigid body can move.  Its three turns are about the axes of its frame,
-// which are perpendicular: so each has an energy of its own, and no inertia
-// tensor is needed.  A turn of 1 kg^(1/2) m/s has half a joule.
+// How a rigid body can move.  Its three turns are about the axes of its frame, which
+// are perpendicular, so each has an energy of its own and no inertia tensor is
+// needed.  A turn of 1 kg^(1/2) m/s has half a joule.
 typedef struct {
     real inverse_mass;  // 1/kg, of the whole body; 0: immovable
-    vec3 turn[TURNS];   // rad kg^(-1/2) / m: axis and angle, for a turn of 1
-    const rigid4 *of;   // whose moments it has; NULL: immovable
+    vec3 turn[TURNS];   // rad kg^(-1/2) / m, axis and angle of a turn of 1
+    const rigid4 *of;   // the body with its moments; NULL: immovable
 } motion_basis;
 
 extern const motion_basis MOTION_IMMOVABLE;
 
-// A velocity (m/s, and kg^(1/2) m/s), or a displacement (m, and kg^(1/2) m).
-// Its address is a multiple of 16 bytes, as real4_gather2 needs it.  Memory of
-// malloc has that, so a struct that holds one may come from anywhere.  Its size
-// is that of a cache line: in a table that begins with a line, as those of
-// table_grow_aligned do, no motion lies on two.
+// A velocity (m/s and kg^(1/2) m/s), or a displacement (m and kg^(1/2) m).
+// Its address is a multiple of 16 bytes, which real4_gather2 needs and malloc gives.
+// It is as large as a cache line, so in a table that begins with a line, as those of
+// table_grow_aligned do, no motion lies on two lines.
 enum { MOTION_TURN = 3, MOTIONS = 6, MOTION_LINE = 8 };
 
 typedef struct {
@@ -42,37 +41,36 @@ typedef struct {
 
 // How a body may move in a frame.
 typedef struct {
-    real seconds;       // s, the time of it
-    vec3 way;           // m, its centre's, as fast as it is now
-    real turn;          // m, what its vertices may go beside that
-    real reach;         // m, both together
-    vec3 spin;          // rad, by which it turns, as fast as it does now; less
-                        // what takes no point of it elsewhere (rigid4_lean)
-    real angle;         // rad, the length of that
-    real arc;           // m, no vertex goes further by turning
+    real seconds;       // s, the length of that frame
+    vec3 way;           // m, the displacement of its centre at its velocity now
+    real turn;          // m, how much further a vertex may move
+    real reach;         // m, how far a vertex may move in all
+    vec3 spin;          // rad, the rotation at its spin now, without the part that
+                        // moves no point of a round body (rigid4_lean)
+    real angle;         // rad, the length of spin
+    real arc;           // m, no vertex moves further by that rotation
 } prediction;
 //<
 
 //> motion-declare
-// The motion basis of a body whose particles stand as the frame says.
+// The motion basis of a body in this frame.
 motion_basis basis_find(const rigid4 *f, const rigid_frame *frame);
 
-// The velocity of particles p[0..3] over their last substep of h (s): all of it
-// that a rigid body can have.  Linear and angular momentum are those of the
-// particles.
+// The velocity of particles p[0..3] over their last substep of h (s), as far as a
+// rigid body can have it.  Linear and angular momentum are those of the particles.
 motion motion_of(const particle *p, const rigid_frame *frame,
                  const motion_basis *basis, real h);
 
 // The motion with this velocity (m/s) and this spin (rad/s).
 motion motion_make(const motion_basis *basis, vec3 velocity, vec3 spin);
 
-// The way of the centre in m: m/s, or m.
+// The velocity (m/s) or displacement (m) of the centre.
 static inline vec3 motion_straight(const motion *m)
 {
     return vec3_make(m->of[0], m->of[1], m->of[2]);
 }
 
-// The rotation in m, about the centre: rad/s, or rad.
+// The spin (rad/s) or rotation (rad) about the centre.
 static inline vec3 motion_rotation(const motion_basis *basis, const motion *m)
 {
     const real *w = m->of + MOTION_TURN;
@@ -81,18 +79,18 @@ static inline vec3 motion_rotation(const motion_basis *basis, const motion *m)
                            w[2], basis->turn[2]);
 }
 
-// How the point at `arm` (m, from the centre) moves: m/s, or m.
+// The velocity (m/s) or displacement (m) of the point at `arm` (m, from the centre).
 static inline vec3 motion_at(const motion_basis *basis, const motion *m,
                              vec3 arm)
 {
     return vec3_add(motion_straight(m), vec3_cross(motion_rotation(basis, m), arm));
 }
 
-// An impulse (N s) at `arm` (m, from the centre) changes a velocity m; an
-// impulse times a time (kg m) changes a displacement.
+// Adds to a velocity what an impulse (N s) at `arm` (m, from the centre) gives, or to
+// a displacement what an impulse times a time (kg m) gives.
 void motion_push(motion *m, const motion_basis *basis, vec3 arm, vec3 impulse);
 
-// A moment (N m s): likewise, without a way for the centre.
+// The same for an angular impulse (N m s), which moves no centre.
 static inline void motion_twist(motion *m, const motion_basis *basis,
                                 vec3 moment)
 {
@@ -100,8 +98,8 @@ static inline void motion_twist(motion *m, const motion_basis *basis,
         m->of[MOTION_TURN + t] += vec3_dot(basis->turn[t], moment);
 }
 
-// What answers a unit impulse whose moments are those: 1/kg, or 1/(kg m^2); sum:
-// what answers beside the turns of this body.
+// The inverse effective mass (1/kg or 1/(kg m^2)) for a unit impulse with this moment:
+// the share of this body's turns, added to `sum`.
 static inline real motion_answer(real sum, const motion_basis *basis,
                                  vec3 moment)
 {
@@ -112,7 +110,7 @@ static inline real motion_answer(real sum, const motion_basis *basis,
     return sum;
 }
 
-// Adds so many times v (m/s, or m) to the way of the centre.
+// Adds `times` v (m/s or m) to the motion of the centre.
 static inline void motion_add_straight(motion *m, real times, vec3 v)
 {
     m->of[0] += times * v.x;
@@ -147,36 +145,35 @@ vec3 motion_angular(const motion_basis *basis, const motion *m);
 //<
 
 //> motion-advance-declare
-// One that turns far goes in several moves, of this angle (rad) at most.  In more
-// of them than MOTION_MOVES it turns less exactly: a wild spin must not make a
-// frame last seconds.
+// A large rotation is made in several moves of at most this angle.  There are at most
+// MOTION_MOVES; a spin that would need more is less exact, for a wild spin must not
+// make a frame last seconds.
 static const real MOTION_FURTHEST = 1.0 / 3;        // tuned, rad
 enum { MOTION_MOVES = 1000 };
 
-// A body that stands as the frame says, and whose velocity in that basis is u,
-// goes on freely for h (s).  Its angular momentum stays as the world sees it, so
-// u changes: it is given in the new basis.  Exact for a body two of whose moments
-// are alike; else of order 2, and symmetric in time: its energy does not drift.
+// Lets a body with this frame, and with the velocity u in this basis, move freely for
+// h (s).  Its angular momentum stays the same in the world, so u changes with the
+// basis.  Exact if two of its moments are equal; else of order 2 and symmetric in time,
+// so that its energy does not drift.
 void motion_advance(rigid_frame *frame, motion_basis *basis, motion *u, real h);
 
-// The same body, displaced by d, as an impact or a cloth displaces it: its
-// angular momentum stays, too.
+// Displaces the body by d, as an impact or a cloth does; its angular momentum stays
+// the same in the world.
 void motion_displace(rigid_frame *frame, motion_basis *basis, motion *u,
                      const motion *d);
 
-// Rounding bends a frame a little with every turn.  Its axes get their lengths
-// and their right angles again, to the square of what they lacked.
+// Gives the axes of a frame their lengths and right angles again, which rounding bends
+// a little with every turn.  The error left is the square of the error before.
 void motion_straighten(const rigid4 *f, rigid_frame *frame);
 
-// The end of a frame: the particles stand as the frame says, with the velocity u
-// in its basis, written as `previous`, a substep of h (s) ago.
+// Writes frame and velocity u to the particles at the end of a step: `position`, and
+// `previous`, a substep of h (s) ago.
 void motion_write(particle *p, const rigid_frame *frame,
                   const motion_basis *basis, const motion *u, real h);
 //<
 
 //> motion-frame-declare-inside
-// Where a body stands that has been moved by d since it stood as the frame
-// says.
+// The frame of a body after a displacement d from this one.
 rigid_frame motion_frame(const rigid_frame *frame, const motion_basis *basis,
                          const motion *d);
 //<

@@ -2,9 +2,9 @@
 // advance.h - in every substep everything is where it is.
 //
 // Paper: not asked.  Book: chapter 18.
-// A body's frame and basis follow it through the substeps, and the rows of its
-// contacts with them.  One that lies among others hardly moves: it is only
-// displaced (rigid.moved) until that is too much for its rows.
+// The frame and basis of a body follow it through the substeps, and the rows of its
+// contacts are made from them.  A body that lies among others hardly moves: its
+// displacement is only summed up (rigid.moved) until it is too large for its rows.
 // Units: metres, seconds, radians.
 
 #ifndef TUMBLE_ADVANCE_H
@@ -14,39 +14,37 @@
 //<
 
 //> advance-declare
-// The substeps begin: the bodies stand as they were looked at, and the solver
-// has its contacts.
+// Before the substeps, when the contacts of the frame are found.
 void advance_begin(world *w);
 
-// After impacts, which displace bodies: those that go freely have a frame for it,
-// and rigid.fresh says which.
+// After impacts, which displace bodies: bodies that move freely get a new frame, and
+// rigid.fresh says which.
 void advance_struck(world *w);
 
-// A substep of h (s): all bodies go on as fast as they are.  rigid.fresh says
-// which have a new frame and basis, and rigid.middle where all were halfway.
+// Moves all bodies on with their velocities for a substep of h (s).  rigid.fresh says
+// which of them have a new frame and basis, and rigid.middle where they were halfway.
 void advance_bodies(world *w, real h);
 
-// How far body b has turned since it stood so: twice the sine of half the angle.
-// (Three unit axes that turn by an angle go by sqrt(8) times that sine together,
-// a vertex by twice its radius times the sine.)
+// How far body b has turned since it had this frame: twice the sine of half the angle,
+// which is how far a vertex moves for each metre of its radius.
 real advance_turned(const world *w, int b, const rigid_frame *was);
 
-// The same, but of what is round only what gets it elsewhere: of a ball nothing, of
+// The same without the turn that moves no point of a round body: 0 for a ball, and for
 // a capsule or a cylinder how far its axis has turned.
 real advance_leaned(const world *w, int b, const rigid_frame *was);
 
-// Before a substep that may have to be done again; and to do it again.
+// Remembers the state before a substep that may have to be done again; and restores it.
 void advance_mark(world *w);
 void advance_back(world *w);
 
-// Body b stands again where the substeps began, at rest.
+// Puts body b back to where the substeps began, at rest.
 void advance_stop(world *w, int b);
 
-// The substeps have ended: no body is displaced any more.  One whose numbers are
-// lost stands where it did when they began, at rest; returns how many.
+// After the substeps: every displacement becomes part of a frame.  A body whose numbers
+// are not finite is put back as advance_stop does.  Returns how many there were.
 int advance_end(world *w);
 
-// The particles follow.
+// Writes the bodies to their particles.
 void advance_write(world *w);
 
 #endif

@@ -1,7 +1,7 @@
 //> ahead-head
 //>   How far a body gets in a frame, and which pairs are asked again within it.
-// ahead.h - what bodies are asked for: where they will be, and until when that
-// holds.
+// ahead.h - predictions: how far bodies move in a frame, and which contacts are found
+// again within it.
 //
 // Paper: bodies move, then overlaps are looked for.  Book: chapter 18.
 // Units: metres, seconds, radians.
@@ -11,16 +11,17 @@
 
 #include "world.h"
 
-// How far body b may get in so many seconds, in rigid.ahead, and as what it is
-// asked until then, in rigid.asked.  It has a frame, a basis and a velocity.
+// Predicts how far body b may move in so many seconds (rigid.ahead), and the frame in
+// which its contacts are found until then (rigid.asked), from its frame, basis and
+// velocity.
 void ahead_predict(world *w, int b, real seconds);
 
-// What the cache is told, and asked for.
+// The tables of the world that the contact cache reads.
 cache_frame ahead_frame(const world *w);
 
-// Between two substeps, with `left` (s) to go: asks again for contacts of the
-// rung that goes, of bodies that have turned so far that other points of theirs
-// may touch by now.  Each at most once a substep.
+// Between two substeps of a rung, with `left` (s) to go: finds contacts again of bodies
+// that have turned so far that other points of them may touch by now.  Each contact is
+// found at most once a substep.
 void ahead_again(world *w, const solver_frame *f, real left);
 
 #endif

@@ -1,6 +1,6 @@
 //> broad-head
 //>   One struct holds the tree, and the arrays that each call fills again.
-// broad.h - which bodies may meet?  A tree against itself, instead of every pair.
+// broad.h - the broad phase: a tree against itself, instead of every pair.
 //
 // Paper: section 5 tests every pair.  Book: chapter 14.
 // Units: metres, in the world's frame.
@@ -13,9 +13,9 @@
 
 typedef struct broad {
     int  bodies, room;  // how many there are, and for how many there is room
-    aabb_tree tree;     // of all balls that are not empty, and what has come since
-    int *place;         // [bodies] where each is in the tree; -1: nowhere
-    int *first, *next;  // [bodies] scratch of the sorting of pairs
+    aabb_tree tree;     // of all spheres that are not empty, and of new bodies
+    int *place;         // [bodies] their places in the tree; -1: none
+    int *first, *next;  // [bodies] scratch for sorting pairs
 } broad;
 //<
 
@@ -32,26 +32,26 @@ typedef struct broad {
 //> broad-declare
 //>   Two functions give the same answer in different times, so that one can
 //>   test the other.
-// For that many bodies, >= 0, if it was for fewer; at first a zeroed one is for
+// Makes room for so many bodies, >= 0, if there is less; a zeroed one has room for
 // none.  Fails, changing nothing, if memory is refused.
 status broad_grow(broad *s, int bodies);
 void   broad_free(broad *s);            // an empty or zeroed one is fine
 
-// Builds the tree of all these balls.  Writes the pairs (a, b), a < b, of those
-// that touch or overlap, where at least one moves, sorted by a, then by b, to out.
+// Builds the tree of these spheres, and writes to `out` the pairs (a, b), a < b, that
+// touch or overlap, and of which at least one moves, sorted by a, then by b.
 // Returns how many there are (INT_MAX if there are more); if that is more than
-// capacity, out has no order, and is to be filled again.  A ball of negative radius
-// meets none; one that is NaN meets every other (it is reported, never lost).
+// capacity, `out` has no order, and must be filled again.  A sphere of negative radius
+// meets none; one that is NaN meets every other, so it is reported, and never lost.
 int broad_pairs(broad *s, const sphere *ball, const char *moves,
                 int (*out)[2], int capacity);
 
-// Tells the tree that ball b has changed, or is new.  Returns false if it is new
-// and the tree has no room for it.
+// Tells the tree that sphere b has changed, or is new.  Returns false if it is new and
+// the tree has no room for it.
 bool broad_update(broad *s, const sphere *ball, int b);
 
-// Adds to out, where there are `found` pairs already, those of body b, in any
-// order.  A pair of two that are both in is_asked is left to the lower one.  Returns
-// how many pairs there are then, stored or not.
+// Adds the pairs of body b to `out`, behind `found` pairs, in any order.  A pair of two
+// bodies in is_asked is left to the lower one.  Returns how many pairs there are then,
+// stored or not.
 int broad_near(const broad *s, const sphere *ball, const char *moves,
                const bool *is_asked, int b, int (*out)[2], int capacity,
                int found);
@@ -63,8 +63,8 @@ static inline bool broad_is_before(const int x[2], const int y[2])
     return x[0] < y[0] || (x[0] == y[0] && x[1] < y[1]);
 }
 
-// The same answer by looking at every pair (the paper's way).  Of more than capacity
-// it writes the first.
+// The same answer from a test of every pair, as in the paper.  Writes the first
+// `capacity` pairs.
 int broad_pairs_all(const sphere *ball, const char *moves, int bodies,
                     int (*out)[2], int capacity);
 

@@ -1,7 +1,7 @@
 //> pairs-head
 //>   What is asked and what is kept are two structs, because the question
 //>   belongs to the caller and changes in every frame.
-// pairs.h - which bodies may meet in this frame, as long as the answer holds.
+// pairs.h - the list of pairs that may meet, kept as long as it holds.
 //
 // Paper: section 5.2 tests every pair of spheres.  Book: chapter 14.
 // Units: metres, in the world's frame.
@@ -14,47 +14,47 @@
 
 #include <string.h>
 
-// What is asked: balls around bodies, and how far beyond them each may get in
-// this frame.
+// The question: bounding spheres, and how far beyond them each body may move in this
+// frame.
 typedef struct {
     const sphere *ball; // [bodies] radius < 0: meets nothing
     const real *reach;  // [bodies] m
-    const char *moves;  // [bodies] 0: never, so that two such do not meet
-    const int *awake;   // [awakes] all that is elsewhere than in the last frame,
-    int awakes;         // may go further in this one, or has come; by number
+    const char *moves;  // [bodies] 0: it does not; two such bodies do not meet
+    const int *awake;   // [awakes] by number, the bodies that have moved since the
+    int awakes;         // last frame, may move in this one, or are new
     int bodies;
     const plane *plane;
     int planes;
 } pair_query;
 
-// The pairs are found for balls that are a little larger.  While no body leaves
-// its larger ball they are a superset of those that may meet.
+// Pairs are found for spheres that are a little larger.  While no body leaves its
+// larger sphere, the list has all pairs that may meet, and a few more.
 //
-// What lies still is *settled*: pairs of two such are found once, when they
-// settle, and are in no list after that.  The list is of the others, which are
-// *loose*.  When one that is settled wakes, all pairs are found again.
+// Bodies that lie still are *settled*.  Pairs of two settled bodies are found once,
+// when they settle, and then leave the list, which is of the others: these are *loose*.
+// When a settled body wakes, all pairs are found again.
 typedef struct {
     int  (*pair)[2];    // [count] a < b, sorted by a, then by b,
     int  count, capacity;
-    int  walls;         // and behind these so many of a body and a plane
+    int  walls;         // and behind these so many pairs of a body and a plane
                         // (contact_with_plane), sorted by the numbers of both
-    long lists;         // how often they were found
-    bool is_cut;        // some found no memory: the list does not hold
+    long lists;         // how often pairs were found
+    bool is_cut;        // some pairs found no memory: the list does not hold
 
     broad  broad;
-    sphere *listed;     // [bodies] the larger balls
-    bool   *is_new;     // [bodies] it has come, or gone elsewhere, since then
+    sphere *listed;     // [bodies] the larger spheres
+    bool   *is_new;     // [bodies] it is new, or was moved, since pairs were found
     int    bodies, room;
-    bool   has_new;     // there is one, or there is a plane more
+    bool   has_new;     // some body is, or there is a new plane
     char   *is_settled; // [bodies]
     int    *loose;      // [looses] by number
     int    looses;
     bool   is_whole;    // the list has all pairs, see pair_list_part
-    bool   is_due;      // all must be found, whatever is awake
+    bool   is_due;      // all pairs must be found again
     int    parted;      // pairs that pair_list_part has left out
-    int    asked;       // so often a body has left its larger ball, since all
-                        // that moved were given new ones
-    int  (*fresh)[2];   // [fresh_capacity] of these
+    int    asked;       // how often a body has left its larger sphere since all
+                        // moving bodies got new ones
+    int  (*fresh)[2];   // [fresh_capacity] pairs of those bodies
     int    fresh_capacity;
 } pair_list;
 
@@ -68,25 +68,24 @@ typedef struct {
 //> pairs-declare
 //>   One function answers. It says whether the list is a new one, because
 //>   tables that go along with the pairs must follow it.
-// For that many bodies, if it was for fewer; at first a zeroed one is for none.
-// Fails, changing nothing, for want of memory.
+// Makes room for so many bodies, if there is less; a zeroed list has room for none.
+// Fails, changing nothing, if memory is refused.
 status pair_list_grow(pair_list *l, int bodies);
 void   pair_list_free(pair_list *l);    // an empty or zeroed one is fine
 
-// Body b has come, gone, or been put elsewhere, or what it may meet is another:
-// its pairs are found again in the next frame.  Those of others stay as they
-// are.  b < 0: there are more planes.
+// Finds the pairs of body b again in the next frame, because it came, went, was put
+// elsewhere, or may meet other bodies than before.  b < 0: there are more planes.
 void pair_list_renew(pair_list *l, int b);
 
-// The pairs of this frame.  Returns true if they were found again, false if
-// those of the last frame still hold.  Allocates if there are more pairs than
-// ever before; where memory is refused, *lost is how many were left out.
+// Brings the list up to date for this frame.  Returns true if pairs were found again,
+// false if those of the last frame still hold.  Allocates if there are more pairs than
+// ever before; if memory is refused, *lost is how many were left out.
 bool pair_list_update(pair_list *l, const pair_query *q, int *lost);
 
-// The same later in the frame, when some have woken: their balls stay.
+// The same later in the frame, after bodies have woken: larger spheres stay.
 bool pair_list_wake(pair_list *l, const pair_query *q, int *lost);
 
-// Is nothing of a pair loose?
+// Are both bodies of a pair settled?
 static inline bool pair_is_settled(const pair_list *l, const int pair[2])
 {
     return l->is_settled[pair[0]] && (pair[1] < 0 || l->is_settled[pair[1]]);
@@ -107,8 +106,8 @@ static inline void pair_list_filter(pair_list *l, pair_stays *stays,
     l->walls = kept - count;
 }
 
-// Leaves those out of a whole list of which nothing is loose.  Until then it is
-// good for what goes along with all pairs.
+// Removes settled pairs from a whole list, after tables with a place for each pair have
+// followed it.
 void pair_list_part(pair_list *l);
 
 #endif

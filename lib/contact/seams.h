@@ -15,18 +15,17 @@
 // a heap, no side is hidden).  b < 0, a plane: a.
 int seams_slider(const cache_frame *f, int a, int b);
 
-// Is the pair one of such two that touch, and is it asked in this frame?
+// Is the pair one of a body and a floor that touch, and is it asked in this frame?
 bool seams_is_on_floor(const cache_frame *f, const cache_pair *p);
 
-// Mends the contacts that were found in this frame with a side of a floor that
-// another piece hides, or that A cannot reach past one: each is found again
-// along the side that A does reach, or emptied.  And those with pieces of one
-// body that lie in one plane under A become one.
-// Asks only about bodies on a floor, and no further than their first 64
-// contacts, or 2,048 where there are parts of surfaces.  What is mended depends
-// on where bodies are, and how they move, in this frame: not on an order, and not
-// on the past.  For want of memory nothing is mended, and c->lost counts one
-// more.
+// Corrects the contacts of this frame that were found with a side of a floor which
+// another piece covers, or which the body cannot reach past another piece.  Each is
+// found again along the side that the body does reach, or loses its points.  Contacts
+// of a body with pieces in one plane become one contact.
+// It asks about bodies on a floor only, and about their first 64 contacts, or 2,048
+// where there are parts of surfaces.  The result depends on where bodies are and how
+// they move in this frame, and neither on an order nor on the past.  If memory is
+// refused, nothing is corrected, and c->lost counts one more.
 void seams_correct(contact_cache *c, const cache_frame *f);
 
 #endif

@@ -11,70 +11,71 @@
 //<
 
 //> solver-declare
-// Room for so many bodies, if there was less: s->room, in the end.  A zeroed solver
-// has none.  Fails, changing nothing, for want of memory.
+// Makes room for so many bodies (s->room), if there is less.  A zeroed solver has room
+// for none.  Fails, changing nothing, if memory is refused.
 status solver_grow(contact_solver *s, int bodies);
 void   solver_free(contact_solver *s);      // an empty or zeroed one is fine
 
-// Looks at n contacts: which of their points come within reach[k] (m) of each
-// other, and what they carried, in s->active.  (Of the frame it needs no h.)
-// Allocates only if there are more contacts than ever before; where memory is
-// refused it takes none, and returns false.
+// Takes n contacts: computes which points of contact k may come together within
+// reach[k] (m), and the impulses that they bring along, in s->active.  It needs no h of
+// the frame.  Allocates only if there are more contacts than ever before; if memory is
+// refused, it takes none and returns false.
 bool solver_activate(contact_solver *s, const solver_frame *f,
                      const contact *const *table, const real *reach, int n);
 
-// From now on only contacts `first` to before `end` of the table are solved: no
-// body that moves has contacts among them and among the others.
+// From now on only contacts `first` to before `end` are solved.  Requires: no moving
+// body has contacts both among them and among the others.
 void solver_take(contact_solver *s, int first, int end);
 
-// Makes their blocks.  Allocates, and fails, as solver_activate does.
+// Makes blocks of these contacts.  Allocates, and fails, as solver_activate does.
 bool solver_prepare(contact_solver *s, const solver_frame *f,
                     const contact *const *table);
 
-// Between two substeps, for contacts that are found again: active[k].is_new says
-// which.  First their blocks give the impulses back to the contacts.
+// Between two substeps, for contacts that are to be found again (active[k].is_new):
+// before that, gives the impulses of their blocks back to them;
 void solver_store_new(contact_solver *s, contact *const *table);
-// Then they are looked at, and their blocks filled again; all blocks are made
-// again where one has no room for more points.  Allocates, and fails, as
-// solver_activate does.
+// and after that, takes them again and fills their blocks.  If a block has no room for
+// more points, all blocks are made again.  Allocates, and fails, as solver_activate
+// does.
 bool solver_take_new(contact_solver *s, const solver_frame *f,
                      contact *const *table, const real *reach);
 
-// One substep, in this order.  velocity and moved are [s->room + 1]: the last is
-// spare, for lanes that are left over.  moved: since a body got its frame and
-// basis; no further than rows stay good.
+// One substep, in this order.  velocity and moved are [s->room + 1]; the last element
+// is for lanes that are left over.  moved is the displacement since a body got its
+// frame and basis, no further than its rows are good for.
 //
-// Gives every body the impulses of the last substep once more (warm starting).
+// Warm starting: gives every body the impulses of the last substep once more.
 void solver_warm(contact_solver *s, const solver_frame *f, motion *velocity);
-// Solves the normals: gaps close at most, and overlaps are pushed out.
+// Solves the normal rows: gaps close at most, and overlaps are pushed out.
 void solver_push(contact_solver *s, const solver_frame *f, motion *velocity,
                  const motion *moved);
-// After it: which blocks of a heavy and a light body still close fast (blow.h).
+// Finds the blocks of a heavy and a light body that still close fast (blow.h).
 void solver_find_strikes(contact_solver *s, const solver_frame *f,
                          motion *velocity);
-// After the bodies have moved: makes the rows of those that f->fresh names for
-// where they stand now, or f->rows_at says.
+// After the bodies have moved: makes the rows of those that f->fresh names again, for
+// their frames now, or for f->rows_at.
 void solver_renew(contact_solver *s, const solver_frame *f);
-// Takes back the speed of pushing out, and solves
-// friction.  Points that have not touched yet, and close fast, are left to the
-// impacts of the next substep, if there are any (restitution.h).
+// Takes back the speed with which overlaps were pushed out, and solves friction.
+// Points that have not touched yet and close fast are left to the impacts of the next
+// substep, if there are any (restitution.h).
 void solver_relax(contact_solver *s, const solver_frame *f, motion *velocity,
                   const motion *moved);
-// After impacts, before solver_warm: `moved` has changed, and with it the gaps.
+// After impacts, before solver_warm: computes the gaps again, for `moved` has changed.
 void solver_update_gaps(contact_solver *s, const solver_frame *f,
                         const motion *moved);
-// Before a substep that may have to be done again; and to do it again: the
-// impulses are what they were.
+// Remembers the impulses before a substep that may have to be done again; and restores
+// them.
 void solver_mark(contact_solver *s);
 void solver_rewind(contact_solver *s);
-// The next substep is so many times as long: its impulses are, too.
+// Multiplies all impulses, when the next substep is so many times as long.
 void solver_scale(contact_solver *s, real times);
 
-// Writes the impulses of the last substep to the contacts that were prepared,
-// and their loads to s->active.
+// Writes the impulses of the last substep to the contacts, and their loads to
+// s->active.
 void solver_store(contact_solver *s, tasks run, contact *const *table);
 
-// After it: the impulses of contact k did not solve the frame, and are not kept.
+// After solver_store: sets the impulses of contact k, which did not solve the frame, to
+// 0.
 void solver_forget(contact_solver *s, contact *const *table, int k);
 //<
 

@@ -15,19 +15,18 @@
 #include "swept.h"
 
 // The touches of bodies a and b that are nearer than margin (m, >= 0): what
-// manifold_find makes of the nearest (or deepest) pair of points.  Where faces
-// or edges lie along each other, corners of what they share, the deepest first;
-// else the pair alone.  count 0: further apart than the margin, or a number is
-// not finite.  turn (rad): see manifold_find.  carried: see query_nearest.
+// manifold_find makes of the nearest (or deepest) pair of points.  Where faces or edges
+// are parallel, these are corners of their overlap, the deepest first; else the pair
+// alone.  count is 0 if they are further apart than the margin, or a number is not
+// finite.  turn (rad): see manifold_find.  carried: see query_nearest.
 manifold collide_rigid(const collider *a, const collider *b, real margin,
                        real turn, query_cache *carried);
 
-// The touches of bodies a and b where they first come as near as `apart` (m,
-// >= 0), while they go as of_a and of_b say.  *m holds it if the result is
-// SWEPT_TOUCHES, with the normal of that moment and the gap of now, along this
-// normal; else the result says what became of them, and *m is as it was.  The time
-// is known to a ten-thousandth of the smaller body.  scratch: room for the vertices of
-// both.
+// The touches of bodies a and b where they first come as near as `apart` (m, >= 0),
+// while they move as of_a and of_b say.  If the result is SWEPT_TOUCHES, *m has the
+// normal of that moment, and the gaps of now along this normal; else *m is as it was.
+// The time of touch is exact to a ten-thousandth of the smaller body.  scratch: room
+// for the vertices of both.
 swept_status collide_swept(const collider *a, const swept_motion *of_a,
                            const collider *b, const swept_motion *of_b,
                            real apart, vec3 *scratch, manifold *m);

@@ -14,25 +14,24 @@
 #include "rim.h"
 #include "search.h"
 
-// A convex body as the queries see it.  Of a round one they see the core: what
-// is nearest on that is nearest on the body, by its radius less.
+// A convex body for the queries.  Of a round body they use the core: the point nearest
+// on the core is nearest on the body, too, and nearer by the radius.
 typedef struct {
     const struct shape *shape;  // rigid
-    const vec3 *at;             // [shape->particles] where its vertices are
-    bool in_range;              // true: hull_in_range has said so, and is not
-                                // asked again
+    const vec3 *at;             // [shape->particles] its vertices
+    bool in_range;              // hull_in_range has returned true for them
 } collider;
 
 // A point of A and a point of B across from it, along the normal.  Vertices are
 // numbered within each body.
 typedef struct {
     feature_point a, b;
-    real gap;           // m, (pA - pB) . normal, less the radii of bodies
-                        // that are round; < 0: overlap
+    real gap;           // m, (pA - pB) . normal, less the radii of round bodies;
+                        // < 0: overlap
 } touch;
 
-// What a pair keeps from one query to the next: the corners of the simplex with
-// which GJK ended, as vertices of A and of B.  All zero: nothing yet.
+// What a pair keeps from one query to the next: the corners of GJK's last simplex, as
+// vertices of A and of B.  All zeros: nothing yet.
 typedef struct {
     unsigned short count, a[4], b[4];
 } query_cache;
@@ -40,21 +39,20 @@ typedef struct {
 typedef struct {
     bool  near;         // false: further apart than the margin
     vec3  normal;       // unit, from B to A
-    touch at;           // where they are nearest; if they overlap, the two
-                        // points that the shortest way out joins; where the
-                        // side of a cylinder is touched, an end of its rim's core,
-                        // as particle 0 or 1; of what is not near, a gap that
-                        // theirs is not less than, or 0
+    touch at;           // the nearest points; if the bodies overlap, the two points
+                        // that the shortest way out joins; on the side of a
+                        // cylinder, an end of its axis, as particle 0 or 1.  If
+                        // they are not near, at.gap is a lower bound, or 0
 } query_result;
 //<
 
 //> query-declare
 //>   One function asks; its answer says whether the two are near, along which
 //>   normal, and where.
-// Where bodies a and b are nearest, if that is no further apart than margin
-// (m, >= 0; HUGE_VAL: however far).  carried: of the same pair in the same
-// order; the answer does not depend on it by more than rounding.  Bodies or a
-// margin that are NaN, and bodies beyond 1e60 m, are near nothing.
+// The nearest points of bodies a and b, if they are no further apart than margin (m, >=
+// 0; HUGE_VAL: at any distance).  carried: of the same pair in the same order; the
+// answer depends on it by rounding only.  Bodies or a margin that are NaN, and bodies
+// beyond 1e60 m, are near nothing.
 query_result query_nearest(const collider *a, const collider *b, real margin,
                            query_cache *carried);
 

@@ -2,26 +2,24 @@
 //>   Blocks of a colour do not touch each other's bodies, so any thread may
 //>   solve any of them, at any time: the bits are the same
 //>   (`any_order_of_the_work_gives_the_same_bits`).
-// task.h - work on n items, which the caller may hand to several threads.
+// task.h - work on n items, which several threads may do.
 //
 // Paper: not asked.  Book: chapter 18.
 
 #ifndef TUMBLE_TASK_H
 #define TUMBLE_TASK_H
 
-// Does work(data, 0) ... work(data, items - 1), in any order or at once, and
-// returns when all are done.  run = NULL: one after the other.  What one item
-// writes no other may touch: so the bits do not depend on which thread does
-// it.
+// run must call work(data, 0) ... work(data, items - 1), in any order or at once, and
+// return when all are done; NULL: one after the other.  No item may touch what another
+// one writes, so the bits do not depend on the threads.
 typedef struct {
     void (*run)(void *context, void (*work)(void *data, int item), void *data,
                 int items);
     void *context;
 } tasks;
 
-// Small things, such as bodies or contacts, are handed out by the chunk, so
-// many that an item takes a few microseconds: item k has those from k `each` on,
-// before task_last.
+// Small things, such as bodies or contacts, are handed out by the chunk, so that an
+// item takes a few microseconds: item k has those from k `each` to before task_last.
 static inline int task_items(int n, int each)
 {
     return (n + each - 1) / each;

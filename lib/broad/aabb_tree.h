@@ -1,8 +1,7 @@
 //> aabb-tree-head
 //>   A box is six numbers, and a tree of boxes is two arrays: the things, and
 //>   the boxes around them.
-// aabb_tree.h - boxes around things, and boxes around boxes: what is near, without
-// a look at each.
+// aabb_tree.h - a bounding volume hierarchy of boxes with sides along the axes.
 //
 // Paper: section 4.3 has spheres (chapter 06).  Book: chapter 14.
 // Units: metres.
@@ -12,7 +11,7 @@
 
 #include "vec3.h"
 
-// Sides are along the axes.  One whose low is beyond its high is empty.
+// A box with sides along the axes.  It is empty if low is beyond high.
 typedef struct {
     vec3 low, high;     // m
 } aabb;
@@ -59,7 +58,7 @@ static inline bool aabbs_meet(const aabb *a, const aabb *b)
         && a->low.z <= b->high.z && b->low.z <= a->high.z;
 }
 
-// By so much (m) on every side.
+// The box, wider by so much (m) on every side.
 static inline aabb aabb_wider(aabb a, real by)
 {
     vec3 out = { by, by, by };
@@ -76,8 +75,8 @@ static inline aabb aabb_empty(void)
 // memory.
 enum { A_LEAF = 4 };                        // tuned, things
 
-// All leaves are equally deep: leaf k, whose box is leaves + k, has the things
-// from A_LEAF k on, and all but the last have A_LEAF of them.
+// All leaves are equally deep.  The box of leaf k is node[leaves + k], and its things
+// begin at A_LEAF k; all leaves but the last have A_LEAF of them.
 typedef struct {
     aabb *around;       // [things] at most A_LEAF * leaves
     int *number;        // [things] the owner's names for them
@@ -91,12 +90,12 @@ typedef struct {
 // How many leaves a tree of so many things has.  Requires: things <= 2^30.
 int aabb_tree_leaves(int things);
 
-// Makes the tree of t->things things, which stand in any order, and moves them to
-// their leaves; t->node has room for it.
+// Builds the tree of t->things things, which are in any order, and moves them to their
+// leaves.  Requires room in t->node.
 void aabb_tree_build(aabb_tree *t);
 
-// t->around[k] has changed, or thing k is new and the last: the boxes above it
-// follow.
+// Adapts the boxes above thing k, after t->around[k] has changed, or k is new and the
+// last.
 void aabb_tree_update(aabb_tree *t, int k);
 
 static inline int aabb_tree_end(const aabb_tree *t, int leaf)

@@ -15,16 +15,16 @@
 
 enum { FOUR = 4, FOUR_STICKS = 6, FOUR_AXES = 3 };
 
-// Where four particles stand: their middle and three vectors, so that particle
-// k is center + sum_i T_ki axis_i, with T_ki = 1 or -1 (the corners of a
-// tetrahedron in a cube).  The axes are perpendicular while the sticks hold.
+// The frame of four particles: their middle and three vectors, so that particle k is at
+// center + sum_i T_ki axis_i, with T_ki = 1 or -1 (the corners of a tetrahedron in a
+// cube).  The axes are perpendicular while the sticks hold.
 typedef struct {
     vec3 center;            // m
     vec3 axis[FOUR_AXES];   // m
 } rigid_frame;
 
-// The plan of a body of four particles.  The vertices of the mesh ride on them:
-// a vertex has fixed coordinates in their frame.
+// What all bodies of a shape have in common, as four particles.  The vertices of the
+// mesh have fixed coordinates in the frame of the particles.
 typedef struct rigid4 {
     vec3  at[FOUR];         // m, at rest, in the frame of the shape
     vec3  center;           // m, the solid's centre of mass, in that frame
@@ -33,29 +33,29 @@ typedef struct rigid4 {
     real  reach;            // m, the body's largest distance from it
     struct stick stick[FOUR_STICKS];        // every pair
     real  square[FOUR_AXES];        // m^2, of the frame's vectors
-    int   turns_right;      // 1, 2 and 3 at rest, as seen from 0
-    int   round_axes;       // about how many axes of the frame it is round: 0,
-                            // 1 (axis 1), or all 3
-    vec3 *local;            // [shape->particles] vertex v stands at the centre
-                            // and local.x times axis 0 of the frame, ...
-    vec3 middle;            // the same, of the mean of all vertices
-    vec3 span;              // of all vertices, the largest of each coordinate
+    int   turns_right;      // particles 1, 2, 3 at rest turn right as seen from 0
+    int   round_axes;       // about how many axes of the frame it is round: 0, 1 (axis
+                            // 1), or 3
+    vec3 *local;            // [shape->particles] coordinates of the vertices: each is
+                            // at center + local.x axis[0] + ...
+    vec3 middle;            // those of the mean of all vertices
+    vec3 span;              // the largest of each coordinate
     real turn[FOUR_AXES];   // kg^(-1/2) m^(-2), see motion_basis
     real root[FOUR_AXES];   // kg^(1/2) m, of the moment of inertia about each axis
     real inverse[FOUR_AXES];        // 1/(kg m^2), one over that moment
     real per_length[FOUR_AXES];     // 1/m, one over the length of its vector
-    int  alike;             // the moments of this axis and the next one are nearest
+    int  alike;             // the moments of this axis and the next one differ least
 } rigid4;
 //<
 
 //> rigid4-declare
-// The four particles of the solid that the closed mesh of s encloses, or that is
-// round, filled evenly with the mass of s.  Fails, leaving *f empty, if s has no volume (or
-// one so thin that rounding loses it), or memory is refused.
+// Computes the four particles of a solid: what the closed mesh of s encloses, or a
+// round body, evenly filled with the mass of s.  Fails, leaving *f empty, if s has no
+// volume, or so little that rounding loses it, or memory is refused.
 status rigid4_build(rigid4 *f, const shape *s);
 void   rigid4_free(rigid4 *f);      // an empty or zeroed one is fine
 
-// What a solid has: volume (m^3), and the means of x and of x x^T over it.
+// A solid: its volume (m^3), and the means of x and of x x^T over it.
 typedef struct {
     real volume;
     vec3 center;
@@ -65,8 +65,8 @@ typedef struct {
 // m += s a a^T.
 void rigid4_add_outer(real m[3][3], real s, vec3 a);
 
-// Those of s, or of the weight that it has in place of them (its volume is then
-// 1); and its mass (kg).  A mesh that encloses nothing has a volume of 0.
+// The solid of s, or its own weight if it has one (the volume is then 1); and its mass
+// (kg).  A mesh that encloses nothing has a volume of 0.
 rigid_solid rigid4_solid(const shape *s);
 real  rigid4_mass(const shape *s);
 
@@ -76,7 +76,7 @@ extern const real FOUR_SIGN[FOUR][FOUR_AXES];
 // The frame of four particles.
 rigid_frame rigid4_frame(const particle *p);
 
-// The same of those of the shape, at rest.
+// The frame of the shape's own four, at rest.
 rigid_frame rigid4_rest(const rigid4 *f);
 
 // The vector (m) with these coordinates in a frame, and the coordinates of a
@@ -109,8 +109,8 @@ static inline vec3 frame_arm(const rigid_frame *f, int k)
     return frame_vector(f, vec3_make(t[0], t[1], t[2]));
 }
 
-// The part of a turn (rad) by which a body gets elsewhere: what turns about an axis
-// about which it is round fills the same space as before.
+// The part of a rotation (rad) that moves points of a body: a rotation about an axis
+// about which it is round leaves it in the same space.
 static inline vec3 rigid4_lean(const rigid4 *f, const rigid_frame *frame,
                                vec3 turn)
 {
@@ -121,12 +121,12 @@ static inline vec3 rigid4_lean(const rigid4 *f, const rigid_frame *frame,
                                  / vec3_length_squared(axis), axis);
 }
 
-// Where the n vertices stand, when the particles stand as the frame says.
+// Where the n vertices are in this frame.
 void rigid4_ride(const rigid4 *f, const rigid_frame *frame, vec3 *at, int n);
 //<
 
 //> rigid4-mirror-declare
-// Do the particles stand as in a mirror?  (No stick can tell.)
+// Are the particles a mirror image of those at rest?  No stick can tell.
 int rigid4_is_mirrored(const rigid4 *f, const particle *p);
 //<
 

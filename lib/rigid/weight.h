@@ -2,9 +2,8 @@
 //>   A drum with a stone in it is no evenly filled drum.
 // weight.h - rigid shapes that are not evenly filled.
 //
-// Paper: not asked; a body there weighs what its particles weigh.  Book:
-// chapter 13.
-// Units: metres, kilograms.  Frame: the shape's.
+// Paper: not asked; the mass of a body there is that of its particles.  Book: chapter
+// 13.  Units: metres, kilograms.  Frame: the shape's.
 
 #ifndef TUMBLE_WEIGHT_H
 #define TUMBLE_WEIGHT_H
@@ -12,34 +11,33 @@
 #include "rigid4.h"
 #include "scene.h"
 
-// A vector of its frame, as it is turned.
+// A vector of the frame of a placement, in the world.
 static inline vec3 placement_vector(const placement *at, vec3 r)
 {
     return vec3_add(vec3_scale(r.x, at->x),
            vec3_add(vec3_scale(r.y, at->y), vec3_scale(r.z, at->z)));
 }
 
-// A shape with copies of all that `of` has.  Fails, and leaves *s empty, if
-// memory is refused.
+// Copies a shape.  Fails, leaving *s empty, if memory is refused.
 status weight_copy(shape *s, const shape *of);
 
-// The same for a rigid one, with this mass (kg), this centre of mass (m) and
-// these moments of inertia about it (kg m^2): xx, yy, zz, xy, xz, yz of the
-// tensor.  Fails, and leaves *s empty: a shape that is not rigid, a number out
-// of range, a centre that is not inside, moments that no solid has (each
-// principal one is less than the sum of the two others), no memory.
+// Copies a rigid shape, and gives the copy a mass (kg), a centre of mass (m) and
+// moments of inertia about it (kg m^2): xx, yy, zz, xy, xz, yz of the tensor.  Fails,
+// leaving *s empty, if the shape is not rigid, a number is out of range, the centre is
+// not inside, no solid has such moments (each principal one is less than the sum of the
+// two others), or memory is refused.
 status weight_set(shape *s, const shape *of, real mass, vec3 center,
                   const real inertia[6]);
 
-// A body of several pieces.  First their weights are added, each with its place
-// in the body, to one of zeros; then the mean is taken; and then it is asked how
-// far each piece reaches from the centre.
+// The weight of a body of several pieces.  Begin with zeros; add the weight of each
+// piece at its place in the body; take the mean; then let each piece add its reach from
+// the centre.
 void weight_add(struct weight *sum, const shape *piece, const placement *at);
 void weight_mean(struct weight *sum);
 void weight_reach(struct weight *whole, const shape *piece, const placement *at);
 
-// The piece as a shape in the frame of the body, with the weight of the whole.
-// Fails as weight_copy does.
+// Copies a piece as a shape in the frame of the body, with the weight of the whole
+// body.  Fails as weight_copy does.
 status weight_piece(shape *s, const shape *piece, const placement *at,
                     const struct weight *whole);
 

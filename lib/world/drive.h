@@ -1,9 +1,10 @@
 //> drive-head
-// drive.h - kinematic bodies in a step: a program moves them, and nothing else.
+// drive.h - kinematic bodies in a step: only the program moves them.
 //
 // Paper: not asked.  Book: chapter 18.
-// One that moves is called driven here.  Contacts read how it moves, and write nothing
-// to it.  To joints it is a body of HEAVIER times its mass, so they need not know.
+// A kinematic body that moves is called driven here.  Contacts read its motion, and
+// never change it.  For joints it is a body of HEAVIER times its mass, so they need no
+// case of their own.
 // Units: metres, seconds.
 
 #ifndef TUMBLE_DRIVE_H
@@ -13,21 +14,20 @@
 //<
 
 //> drive-declare
-// Body b, which is driven, has its basis: it becomes heavy, and has the velocity
-// that the program gave it.
+// Makes the driven body b heavy, once it has its basis, and gives it the velocity that
+// the program chose.
 void drive_begin(world *w, int b);
 
-// All that are driven have that velocity still: what joints did is taken back.
+// Gives all driven bodies that velocity again, after joints have changed it.
 void drive_hold(world *w);
 
-// Body b, which is driven, stands where it does so long (s) after the substeps
-// began.
+// Puts the driven body b to where it is so long (s) after the substeps began.
 void drive_advance(world *w, int b, real seconds);
 
-// It stands where it did when they began.
+// Puts it back to where it was when they began.
 void drive_back(world *w, int b);
 
-// m/s, of any point of a driven body, at most.
+// m/s: no point of a driven body is faster.
 real drive_fastest(const world *w);
 
 #endif

@@ -8,7 +8,7 @@
 // Paper: not asked; a body there only falls.  Book: chapter 18.
 // Units: metres, seconds, kilograms, newtons, in the world's frame.
 //
-// What is touched from outside wakes, and with it all that sleep with it.
+// A body that is changed from outside wakes, with all bodies that sleep with it.
 
 #ifndef TUMBLE_HANDLE_H
 #define TUMBLE_HANDLE_H
@@ -17,86 +17,81 @@
 //<
 
 //> handle-declare
-// Where body b is, and how it moves: the place and the axes of its shape, the
-// velocity of its centre of mass, and its spin about it.  Of a deformable one:
-// the mean of its particles, their mean velocity, no rotation and no spin.  What
-// is static or asleep stands still.
+// Where body b is, and how it moves: the position and the axes of its shape, the
+// velocity of its centre of mass, and its spin about it.  Of a rope or cloth: the mean
+// position and velocity of its particles, no rotation and no spin.  Static and
+// sleeping bodies stand still.
 placement world_where(const world *w, int b);
 
-// Puts body b elsewhere, at once, with that velocity; a deformable one as its
-// shape is, at rest, with its pins.  What it touched is forgotten, and what lay
-// on it wakes.  Only static bodies stay so: where.is_static is not asked.
+// Puts body b elsewhere, at once, with a new velocity; a rope or cloth in the form of
+// its shape, at rest, with its pins.  Its contacts are forgotten, and bodies that lay
+// on it wake.  A static body stays static; where.is_static is not used.
 // Fails, changing nothing, as world_add does.
 status world_put(world *w, int b, placement where);
 
-// Gives a rigid body this velocity of its centre of mass, and this spin about
-// it; a kinematic one keeps them.  Nothing happens to a static one.
+// Gives a rigid body a velocity of its centre of mass, and a spin about it.  A
+// kinematic body keeps them.  Does nothing to a static one.
 void world_set_velocity(world *w, int b, vec3 velocity, vec3 spin);
 
-// Makes a rigid body that is not static kinematic, at rest; or not kinematic any
-// more, and it goes on as it went.  Nothing but world_set_velocity changes the
-// velocity of a kinematic body: it pushes what it meets, carries what lies on
-// it, and goes through what does not move.
+// Makes a rigid body that is not static kinematic, at rest; or dynamic again, with the
+// velocity that it has.  Only world_set_velocity changes the velocity of a kinematic
+// body: it pushes what it meets, carries what lies on it, and moves through static
+// bodies.
 void world_set_kinematic(world *w, int b, bool is_kinematic);
 
-// Another gravity (m/s^2) from now on: everything wakes, and has the velocity that
-// it had.
+// Sets gravity (m/s^2) from now on.  All bodies wake, and keep their velocities.
 void world_set_gravity(world *w, vec3 gravity);
 
-// So many times the world's gravity acts on a rigid body from now on: it wakes, and
-// has the velocity that it had.  A new one has 1.  Fails, changing nothing, if it is
-// not finite, or beyond -1000 and 1000.
+// Sets how many times the world's gravity acts on a rigid body; 1 at first.  The body
+// wakes, and keeps its velocity.  Fails, changing nothing, if it is not finite, or
+// beyond -1000 and 1000.
 status world_set_gravity_scale(world *w, int b, real scale);
 
-// Makes a rigid body static, as it stands; or static no more: it is dynamic, at
-// rest.  A kinematic one is to be made dynamic first.  What lay on it wakes, and what
-// is joined to it.
+// Makes a rigid body static, where it is; or dynamic again, at rest.  Requires: it is
+// not kinematic.  Bodies that lie on it, or are joined to it, wake.
 void world_set_static(world *w, int b, bool is_static);
 
-// An impulse (N s) on a rigid body, now, at a point of the world.  A static or
-// kinematic one does not feel it.
+// Gives a rigid body an impulse (N s) at a point of the world, now.  Does nothing to a
+// static or kinematic one.
 void world_push(world *w, int b, vec3 impulse, vec3 at);
 
-// An impulse (N s) on particle i of a deformable body.  A pinned one does not
-// feel it.
+// Gives particle i of a rope or cloth an impulse (N s).  Does nothing to a pinned one.
 void world_push_particle(world *w, int b, int i, vec3 impulse);
 
-// m/s: how fast particle i of a deformable body goes, as world_where says it of
-// bodies; and to give it a velocity.  False: it is pinned.
+// The velocity (m/s) of particle i of a rope or cloth, and to set it.  False: it is
+// pinned.
 vec3 world_particle_velocity(const world *w, int b, int i);
 bool world_set_particle_velocity(world *w, int b, int i, vec3 velocity);
 
-// A force (N) at the centre of mass of a rigid body, and a torque (N m), all
-// through the next step; what is set twice adds up.
+// Sets a force (N) at the centre of mass of a rigid body, and a torque (N m), for all
+// of the next step; calls before that step add up.
 void world_force(world *w, int b, vec3 force, vec3 torque);
 
-// What they add to the velocity of body b in so many seconds of a frame.
+// What these forces add to the velocity of body b in so many seconds.
 motion world_load(const world *w, int b, real seconds);
-// A step is over: they are gone.
+// Removes them, after a step.
 void   world_forget_loads(world *w);
 
-// What body b, or plane k, is made of; friction or restitution < 0: as the
-// world's options say now.  Two that meet rub with the root of the product of
-// their frictions, and bounce with the larger restitution.  Fail, changing
-// nothing, if friction is more than 1000, restitution more than 1, or one is no
-// number.
+// Sets the material of body b, or of plane k.  Friction or restitution < 0: that of the
+// world's options now.  See material.h for two that meet.  Fail, changing nothing, if
+// friction is more than 1000, restitution more than 1, or one is NaN.
 status world_set_material(world *w, int b, material m);
 status world_set_plane_material(world *w, int k, material m);
 
-// The shares of its velocity and its spin that a body loses, 1/s; a deformable
-// one has no spin.  Fails, changing nothing, if one is negative or not finite.
+// Sets the shares (1/s) of its velocity and its spin that a body loses; a rope or cloth
+// has no spin.  Fails, changing nothing, if one is negative or not finite.
 status world_set_damping(world *w, int b, real damping, real spin_damping);
 
-// Two bodies meet if the mask of each has a bit of the other's group.  A new one
-// has group 1, and meets all.
+// Two bodies meet if the mask of each has a bit of the other's group.  A new body has
+// group 1, and meets all.
 void world_set_filter(world *w, int b, unsigned group, unsigned mask);
 
-// Pieces of one body, of one material, have the same number > 0, so that a floor
-// of them is one floor.  A new one has 0, and is alone.
+// Sets the family of a body: pieces of one floor, of one material, have the same number
+// > 0.  A new body has 0, and belongs to none.
 void world_set_family(world *w, int b, int family);
 
-// Puts body b to sleep where it is, without the forces that were set; anything
-// may wake it.  Nothing happens to a static one.
+// Puts body b to sleep where it is, and removes the forces that were set.  Does nothing
+// to a static one.
 void world_sleep(world *w, int b);
 
 #endif

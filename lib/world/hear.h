@@ -1,7 +1,7 @@
 //> hear
 //>   A game plays a sound as loud as the blow was, and lets a player jump through a
 //>   platform from below. Both look at the contacts while a frame goes on.
-// hear.h - what contacts give in a frame is written down, and which of them count.
+// hear.h - the impulses of contacts for the program, and its choice of contacts.
 //
 // Book: chapter 18.  Units: newtons, seconds, metres.
 
@@ -10,13 +10,13 @@
 
 #include "world.h"
 
-// A rung begins: its impacts are written from now on.
+// Begins a rung: its impacts are written down from now on.
 void hear_impacts(world *w, solver_frame *f);
 
-// A substep is over: what the contacts of its rung gave in it is added up.
+// After a substep: adds up the impulses of the contacts of its rung.
 void hear_contacts(world *w);
 
-// Of the contacts of this part of a frame, those stay that options.host.meets says.
+// Removes the contacts of this part of a frame that options.host.meets refuses.
 void hear_choose(world *w);
 
 #endif

@@ -3,7 +3,7 @@
 //>   to that phase. Verlet's velocity is that of the moment halfway between
 //>   two positions, so height and lever arm are taken there, too. Then a free
 //>   fall books nothing (`free_fall_books_no_energy_and_gravitys_momentum`).
-// ledger.h - what gave energy and momentum to the world, and what took them?
+// ledger.h - accounts of energy and momentum: which phase gave and took them.
 //
 // Paper: not asked.  Book: chapter 18.
 // Units: joules, kg m/s, kg m^2/s about the origin, in the world's frame.
@@ -17,22 +17,21 @@
 //> ledger-declare
 //>   Without the option `ledger` none of this runs. With it, no bit of the
 //>   motion changes.
-// What the bodies have: kinetic energy by the velocities in the
-// middle of a substep, and potential energy, momentum and angular momentum at
-// the places of that moment; and what is stored in bends and links.  Under gravity alone a step changes none of this
-// sum's energy, and momentum by gravity's share.  Static bodies and pinned
-// particles do not count.
+// The sum over all bodies, at the middle of their last substeps: kinetic and potential
+// energy, momentum and angular momentum, and the energy stored in bends and links.
+// Under gravity alone a step keeps this energy, and changes momentum by what gravity
+// gives.  Static bodies and pinned particles do not count.
 ledger_entry ledger_total(const world *w);
 
-// Opens the account: books nothing, and counts from here.  At the start of a
-// step: what is done to the particles between steps is in no account.
+// Counts from here, and books nothing.  Call it at the start of a step: what a program
+// does between steps is in no account.
 void ledger_open(world *w);
 
-// Books what has changed since the last call to account LEDGER_...  Costs
-// nothing unless options.ledger is set.
+// Books what has changed since the last call, to an account LEDGER_...  Costs nothing
+// unless options.ledger is set.
 void ledger_book(world *w, int account);
 
-// What is booked so far, and back to that: a frame is begun again.
+// Remembers what is booked so far, and goes back to it when a frame is begun again.
 typedef struct {
     ledger_entry account[LEDGERS], now;
 } ledger_page;
@@ -40,8 +39,8 @@ typedef struct {
 ledger_page ledger_mark(const world *w);
 void ledger_rewind(world *w, const ledger_page *to);
 
-// From where the bodies that are awake have been moved to, the middle of the
-// move that their velocities are of is so far away (s); 0: their particles say.
+// Says how long (s) ago the bodies that are awake were in the middle of the move that
+// their velocities are of; 0: as their particles say.
 void ledger_halfway(world *w, real seconds);
 //<
 

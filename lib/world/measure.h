@@ -29,11 +29,10 @@ typedef struct {
 //<
 
 //> measure-declare
-// Measures the world as it stands, from where the particles are.  Not part of
-// the step, and slower than one: it allocates room for all vertices, and asks
-// all pairs.   A body whose numbers are lost shows as a
-// strain of HUGE_VAL, a penetration of NaN; where memory is refused, the
-// penetration is NaN, too.
+// Measures the world from the positions of its particles.  It is no part of a step, and
+// slower than one, because it allocates room for all vertices and asks all pairs.  A
+// body whose numbers are not finite shows as a strain of HUGE_VAL and a penetration of
+// NaN; if memory is refused, the penetration is NaN, too.
 measures world_measure(const world *w);
 
 // FNV-1a over the bytes of all positions: equal bits, equal hash, between

@@ -1,5 +1,5 @@
 //> rolling-head
-// rolling.h - what rolls slowly comes to rest.
+// rolling.h - rolling friction: a body that rolls slowly comes to rest.
 //
 // Paper: nothing rolls there.  Book: chapter 18.
 
@@ -8,14 +8,13 @@
 
 #include "world.h"
 
-// Friction does not stop a ball that rolls, nor one that spins on its point:
-// alone it would never sleep, and keep awake all that it touches.  So contacts
-// of round bodies that carry something turn against slow rolling, as ground
-// does that gives way a little: with a torque of a hundredth of the load times
-// the radius, and no more than stops it.  Slow is up to 30 times the speed at
-// which bodies fall asleep.  Spinning on a point, at any speed, is braked by as much
-// again, unless there is no friction.  In a world without sleep neither is braked.  After
-// the substeps of a frame.
+// Friction stops neither a ball that rolls nor one that spins on its point.  It would
+// never sleep, and keep everything awake that it touches.  So loaded contacts of round
+// bodies act against slow rolling, as soft ground does, with a torque of a hundredth of
+// the load times the radius, but no more than stops it.  Slow means up to 30 times the
+// speed at which bodies fall asleep.  Spin about the normal, of any speed, is braked by
+// the same torque, unless there is no friction.  In a world without sleep nothing is
+// braked.  Call it after the substeps of a frame.
 void rolling_brake(world *w);
 
 #endif

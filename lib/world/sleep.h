@@ -11,33 +11,32 @@
 #include "status.h"
 #include "verlet.h"
 
-// What counts as still, for a body of 0.5 m in radius (a cube of 1 m) under
-// 9.81 m/s^2.  Another one, of the radius R under g, is still if it would be,
-// seen with all lengths as R and all times as sqrt(R / g): a house may take its
-// time, and a pebble must be slower.  But no time is shorter than that of the
-// cube.
+// When is a body still?  The numbers are for a radius of 0.5 m (a cube of 1 m) under
+// 9.81 m/s^2.  For a radius R under g all lengths are scaled by R and all times by
+// sqrt(R / g): a house may take its time, and a pebble must be slower.  But no time is
+// shorter than that of the cube.
 typedef struct {
-    real speed;     // m/s, sleep_speed; 0: nothing falls asleep
+    real speed;     // m/s, sleep_speed; 0: no body falls asleep
     real time;      // s, time_to_sleep
-    real gravity;   // m/s^2, its size
+    real gravity;   // m/s^2, its magnitude
     real dt;        // s, a frame
-    real h;         // s: the particles were at `previous` so long ago
-    real lasts;     // s: at a speed v it has still v times this to go; 0: no one
-                    // knows
+    real h;         // s, the particles were at `previous` so long ago
+    real lasts;     // s, a body of speed v has still v times this to go; 0: this is
+                    // not known
 } sleep_rule;
 
-// Such a speed of the cube, for a body of that radius.
+// A speed of that cube, scaled to a body of this radius.
 real sleep_scaled(real speed, real gravity, real radius);
 
 // A window of time, half as long as time_to_sleep.
 typedef struct {
-    real way;       // m, the furthest that a particle has been in it from where
-                    // it was when the window began
+    real way;       // m, the largest distance of a particle from where it was when
+                    // the window began
     real before;    // m, the same in the window before; -HUGE_VAL: none
 } sleep_window;
 
-// How still a body has been.  It has two windows at any time: one begins, and
-// the other is half over.
+// How still a body has been.  It has two windows at any time, and when one begins, the
+// other is half over.
 enum { WINDOWS = 2 };
 
 typedef struct {
@@ -45,35 +44,35 @@ typedef struct {
     int frames;     // since the younger window began
     int halves;     // half windows since the body was first observed
     int still;      // half windows for which it has been still
-    bool is_moving; // too far in a window that is not over, or too fast now
-    bool stands;    // see sleep_stand: in this frame
-    bool stood[WINDOWS];    // in all frames of that window
+    bool is_moving; // it has moved too far in a window, or is too fast now
+    bool stands;    // in this frame, see sleep_stand,
+    bool stood[WINDOWS];    // and in all frames of a window
 } sleep_watch;
 
 // An island is a set of movable bodies that touch, directly or through others.
 typedef struct {
     int  bodies, particles;
     int  room, particle_room;
-    int  *parent;       // [bodies] union-find over the contacts of a frame; of
-                        // one that takes no part in it: itself
-    int  *member;       // [members] what takes part: what was touched or
-    int  members;       // observed; of sleepers the one that stands for them
+    int  *parent;       // [bodies] union-find over the contacts of a frame; a body
+                        // that takes no part is its own parent
+    int  *member;       // [members] bodies that take part, because they were touched
+    int  members;       // or observed; of sleepers the one that stands for them
     bool *takes_part;   // [bodies]
-    int  *island;       // [bodies] the island it fell asleep with, by the body
-                        // that stood for it; means nothing while awake
-    int  *next;         // [bodies] what sleeps together is a ring; of one that
-                        // is awake: itself
+    int  *island;       // [bodies] the body that stood for the island with which this
+                        // one fell asleep; without meaning while it is awake
+    int  *next;         // [bodies] a ring of all that sleep together; of a body that
+                        // is awake, itself
     bool *asleep;       // [bodies]
     int  sleepers;
-    bool *is_restless;  // [bodies] of the body that stands for an island: one
-                        // in it has not been still for long enough
+    bool *is_restless;  // [bodies] of the body that stands for an island: a body of it
+                        // has not been still for long enough
     sleep_watch *watch; // [bodies]
-    vec3 *start[WINDOWS];       // m, [particles] where they were when each
-                        // window of their body began
+    vec3 *start[WINDOWS];       // m, [particles] where they were when each window of
+                        // their body began
 } sleep_state;
 
-// All that have a place for each body: what a saved world keeps of them, and what
-// each frame begins anew.
+// The tables with a place for each body: those that a saved world keeps, and those that
+// each frame begins again.
 #define SLEEP_TABLES(KEPT, ANEW)                                          \
     KEPT(island) KEPT(next) KEPT(asleep) KEPT(watch)                      \
     ANEW(parent) ANEW(member) ANEW(takes_part) ANEW(is_restless)
@@ -82,40 +81,39 @@ typedef struct {
 //> sleep-declare
 //>   A body has two windows at a time, half a window apart, so that a stop is
 //>   noticed soon.
-// Room for so many, if there were fewer; these are awake.  A zeroed state has none.
-// Fails, with the room that there was, if memory is refused.
+// Makes room for so many, if there is less; new bodies are awake.  A zeroed state has
+// room for none.  Fails, changing nothing, if memory is refused.
 status sleep_grow(sleep_state *s, int bodies, int particles);
 void   sleep_free(sleep_state *s);      // an empty or zeroed one is fine
 
-// A new frame: every body is an island of its own, but sleepers stay with those
-// that they fell asleep with.  Takes as long as the last frame had members: what
-// sleeps costs nothing.
+// Begins a frame: every body is an island of its own, but sleepers stay with those with
+// which they fell asleep.  The time is that of the last frame's members, so sleepers
+// cost nothing.
 void sleep_begin(sleep_state *s);
 
-// Bodies a and b hold each other.  Both must be movable.
+// Unites the islands of bodies a and b, which touch.  Both must be movable.
 void sleep_touch(sleep_state *s, int a, int b);
 
-// Body b stands: what it lies on holds it at three points or more, and it does not
-// slide there.  Such a body may sway, further now than before, and will not fall.
-// To be said in each frame, before it is observed.
+// Says that body b stands: it is held at three points or more, and does not slide
+// there.  Such a body may sway further than before, and will not fall.  Call it in each
+// frame, before sleep_observe.
 void sleep_stand(sleep_state *s, int b);
 
-// At the end of a frame, once for every movable body that is awake: its
-// particles are pool[first] and the n - 1 after it, none further than radius
-// (m) from their middle.  A body that is not observed does not fall asleep.
+// Observes a movable body that is awake, once at the end of each frame.  Its particles
+// are pool[first] and the n - 1 after it, none further than radius (m) from their
+// middle.  A body that is not observed does not fall asleep.
 //
-// A body is still while it goes no further than sleep_speed would take it, and
-// stands, or goes no further than in the window before: what slides, rolls or tips
-// over from rest goes further and further, however slowly it begins.  Without gravity,
-// only what does not move at all is still.  What is known to go on for longer than
-// a window must be slower by as much.  Coordinates that are not finite are not
-// still.
+// A body is still while it moves no further in a window than at sleep_speed, and also
+// either stands, or moves no further than in the window before: a body that slides,
+// rolls or tips over from rest moves further and further, however slowly it begins.
+// Without gravity only a body that does not move at all is still.  A body that is known
+// to move on for longer than a window must be slower by as much.  A body whose
+// coordinates are not finite is not still.
 void sleep_observe(sleep_state *s, int b, const particle *pool, int first,
                    int n, real radius, const sleep_rule *rule);
 
-// True if body b, awake, was seen to move in the last frame or just before it, or
-// was not seen yet, for it came, was pushed or woke since: what sleeps, and is in
-// its way, must wake.
+// Must sleepers in its way wake for body b?  True if it is awake, and moved in the last
+// frame or just before it, or has not been observed since it came, was pushed or woke.
 bool sleep_is_moving(const sleep_state *s, int b);
 
 // Puts to sleep every island in which all bodies have been still for
@@ -125,12 +123,11 @@ int sleep_end(sleep_state *s);
 // Puts body b to sleep, as an island of its own.
 void sleep_put(sleep_state *s, int b);
 
-// Wakes body b and all that fell asleep with it: these begin to be observed
-// again.  Nothing happens if it is awake.  The islands of this frame stay as
-// they are.
+// Wakes body b and all that fell asleep with it; they are observed from the beginning.
+// Does nothing if it is awake.  The islands of this frame stay as they are.
 void sleep_wake(sleep_state *s, int b);
 
-// Body b has been moved by hand: what was observed of it is forgotten.
+// Forgets what was observed of body b, because it was moved from outside.
 void sleep_forget(sleep_state *s, int b);
 //<
 

@@ -1,10 +1,10 @@
 //> snapshot-head
-// snapshot.h - all that a world is, as bytes.
+// snapshot.h - the whole state of a world as bytes.
 //
 // Book: chapter 19.
-// A struct goes to the bytes whole, so no number of it can be forgotten; and a
-// table whose pointer is not listed would be freed twice.  What the next frame
-// reads is listed with its elements, what it makes again as room.
+// A struct is stored whole, so no number of it can be forgotten, and a table that is
+// not listed would be freed twice, which a test notices.  Tables that the next frame
+// reads are listed with their elements, and those that it fills again as room.
 
 #ifndef TUMBLE_SNAPSHOT_H
 #define TUMBLE_SNAPSHOT_H
@@ -15,12 +15,12 @@
 
 //> snapshot-declare
 //>   It has one function for a world, and one for a shape.
-// The tables of a world, which lies in memory that was entered.  The things of
-// the store are the shapes of its bodies.  Read, it has no clock and no threads
-// of its host.
+// Stores, or reads, the tables of a world that lies in memory which was entered.  The
+// things of the store are the shapes of its bodies.  A world that was read has no clock
+// and no threads.
 void world_store(world *w, store *s);
 
-// Those of a shape, likewise.
+// The same for the tables of a shape.
 void shape_store(shape *x, store *s);
 //<
 

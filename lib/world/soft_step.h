@@ -12,23 +12,23 @@
 //<
 
 //> soft-step-declare
-// What cloth and rope are told of the world, for a substep of h (s).
+// The tables of the world that rope and cloth read, for a substep of h (s).
 soft_frame soft_frame_of(world *w, real h);
 
-// A frame begins: deformable bodies wake, and rest with, whatever is near them.
-// Returns whether anything woke.
+// Begins a frame: unites ropes and cloths with the islands of all that is near them,
+// and wakes sleepers there.  Returns whether one woke.
 bool soft_wake(world *w);
 
-// How many substeps the frame needs for them.
+// The number of substeps that the frame needs for them.
 int  soft_need(world *w);
 
-// A substep of h (s).
+// Moves them through a substep of h (s).
 void soft_step(world *w, real h);
 
-// After the substeps: no cloth crosses cloth; see certificate.h.
+// After the substeps: proves that no cloth crosses cloth, see certificate.h.
 void soft_prove(world *w);
 
-// After the substeps: what they did goes into the report.
+// After the substeps: writes what they did to the report.
 void soft_report(world *w);
 
 #endif

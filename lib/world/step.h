@@ -10,10 +10,9 @@
 
 #include "world.h"
 
-// One frame of options.dt: every body moves, and is parted from what it met;
-// threads keep their lengths.  What it did is in w->report.  Allocates nothing
-// and never fails: a body whose numbers are lost touches nothing, and
-// w->report.dropped counts what found no room.
+// Moves the world on by one frame of options.dt, and says in w->report what it did.  It
+// never fails: a body whose numbers are not finite touches nothing, and contacts that
+// find no memory are counted in w->report.dropped.
 void world_step(world *w);
 
 #endif

@@ -1,5 +1,5 @@
 //> substeps-head
-// substeps.h - how many substeps does a frame need?
+// substeps.h - the number of substeps of a frame.
 //
 // Book: chapter 18.
 
@@ -8,20 +8,20 @@
 
 #include "world.h"
 
-// Of island i, for the frame or the part of it whose contacts the solver has
-// looked at: the usual number, or more where contacts bear much beside their
-// masses, where joints swing fast, and for cloth.  *c is what it has taken so
-// far, and becomes what it asks for.  At most options.most_substeps in a frame.
+// The substeps of island i, for this frame or part of a frame, after solver_activate:
+// the usual number, or more if contacts bear much for their masses, if joints swing
+// fast, and for cloth.  *c is what the island took before, and becomes what it takes
+// now.  At most options.most_substeps in a frame.
 int substeps_choose(world *w, const island *i, substep_choice *c);
 
-// And never more than this: what has fewer for that is counted in report.cut.
+// The most of all.  A part of a frame that gets fewer for that is counted in
+// report.cut.
 int substeps_all(const world *w);
 
-// After a substep of h (s), when `left` of them were to go, it among them: into
-// how many must that time be divided instead, because its joints swung faster
-// than it could follow?  0: it is good.  Not where there is cloth or rope, which
-// has moved.  At most options.most_substeps in a frame; those that are done
-// again are on top.
+// After a substep of h (s), with `left` to go, itself included: into how many must that
+// time be divided instead, because joints swung faster than it could follow?  0: it was
+// good, or there is rope or cloth, which has moved already.  At most
+// options.most_substeps in a frame, beside those that are done again.
 int substeps_again(const world *w, real h, int left);
 
 #endif

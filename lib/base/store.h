@@ -9,8 +9,7 @@
 // Numbers lie in the bytes as in memory: they are good for the same version of
 // the library on the same kind of machine, and refused elsewhere.
 
-#ifndef TUMBLE_STORE_H
-#define TUMBLE_STORE_H
+#pragma once
 
 #include "status.h"
 
@@ -105,9 +104,4 @@ void store_leave(store *s);
 
 // Fails, unless it failed before.
 void store_fail(store *s, status why);
-//<
-
-//> store-end-of-header
-//>   The header ends.
-#endif
 //<

@@ -4,8 +4,7 @@
 //
 // Book: chapter 13.
 
-#ifndef TUMBLE_TABLE_H
-#define TUMBLE_TABLE_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdlib.h>
@@ -109,6 +108,4 @@ static inline bool table_renew(void *array, int *room, int need, size_t size)
 #define TABLE_GROW_ALIGNED(ok, array, kept, room)               \
     ((ok) = (ok) && table_grow_aligned(&(array), (kept), (room), \
                                        sizeof *(array)))
-
-#endif
 //<

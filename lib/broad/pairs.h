@@ -6,8 +6,7 @@
 // Paper: section 5.2 tests every pair of spheres.  Book: chapter 14.
 // Units: metres, in the world's frame.
 
-#ifndef TUMBLE_PAIRS_H
-#define TUMBLE_PAIRS_H
+#pragma once
 
 #include "broad.h"
 #include "scene.h"
@@ -110,6 +109,4 @@ static inline void pair_list_filter(pair_list *l, pair_stays *stays,
 // Leaves those out of a whole list of which nothing is loose.  Until then it is
 // good for what goes along with all pairs.
 void pair_list_part(pair_list *l);
-
-#endif
 //<

@@ -7,8 +7,7 @@
 // Paper: a body there is one convex solid.  Book: chapter 19.
 // Units: metres, in the frame of the points.
 
-#ifndef TUMBLE_SURFACE_H
-#define TUMBLE_SURFACE_H
+#pragma once
 
 #include "aabb_tree.h"
 #include "scene.h"
@@ -80,6 +79,4 @@ status surface_shape(const surface *s, int triangle, shape *made,
 
 // Calls q->meets for all triangles asked for, the nearer boxes first.
 void   surface_visit(const surface *s, surface_query *q);
-
-#endif
 //<

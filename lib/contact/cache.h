@@ -9,8 +9,7 @@
 // where they lay when they were last asked.
 // Units: metres, kilograms, seconds.  Normals point from B to A.
 
-#ifndef TUMBLE_CACHE_H
-#define TUMBLE_CACHE_H
+#pragma once
 
 #include "cache_tables.h"
 //<
@@ -45,6 +44,4 @@ void cache_forget_plane(contact_cache *c, int wall);
 // one, or the j-th of the other.  One of them has more.
 const cache_pair *cache_next(const cache_list *l, int *k,
                              const cache_list *other, int *j);
-
-#endif
 //<

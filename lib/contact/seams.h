@@ -5,8 +5,7 @@
 // Paper: bodies meet one by one.  Book: chapter 11.
 // Units: metres, in the world's frame.
 
-#ifndef TUMBLE_SEAMS_H
-#define TUMBLE_SEAMS_H
+#pragma once
 
 #include "cache_tables.h"
 
@@ -25,6 +24,4 @@ int seams_slider(const cache_frame *f, int a, int b);
 // on the past.  For want of memory nothing is mended, and c->lost counts one
 // more.
 void seams_correct(contact_cache *c, const cache_frame *f);
-
-#endif
 //<

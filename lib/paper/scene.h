@@ -9,8 +9,7 @@
 // does the engine of Part II, so that both can run the same scene.
 // Units: metres, seconds, kilograms.  Frame: the world's, y up.
 
-#ifndef TUMBLE_SCENE_H
-#define TUMBLE_SCENE_H
+#pragma once
 
 #include "body.h"
 
@@ -139,6 +138,4 @@ scene_options scene_options_default(void);
 //   rest, from two pins 2.6 m apart and 1.5 m high: 50 links, 3 m, 0.5 kg.
 // Fails with a sentence (option out of range, memory), leaving *s empty.
 status scene_build(scene *s, scene_kind kind, scene_options what);
-
-#endif
 //<

@@ -5,8 +5,7 @@
 // Units: metres, in the frame of the points (the world's); time as a fraction
 // of the way.
 
-#ifndef TUMBLE_CAST_H
-#define TUMBLE_CAST_H
+#pragma once
 
 #include "scene.h"
 #include "search.h"
@@ -67,9 +66,4 @@ bool cast_overlaps(rounded a, rounded b);
 // than 0, and a comes out by so much along the normal.  hits: they are in range.
 cast_result cast_gap(rounded a, rounded b);
 cast_result cast_gap_plane(rounded a, plane p);
-//<
-
-//> cast-end-of-header
-//>   The header ends.
-#endif
 //<

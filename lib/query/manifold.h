@@ -6,8 +6,7 @@
 // Book: chapter 11.
 // Units: metres, in the world's frame.  The normal points from B to A.
 
-#ifndef TUMBLE_MANIFOLD_H
-#define TUMBLE_MANIFOLD_H
+#pragma once
 
 #include "query.h"
 
@@ -67,6 +66,4 @@ vec3 face_area(const shape *s, const vec3 *at, int f);
 // Does it look along the unit vector d, to within 8 degrees (cosine squared
 // 0.98)?
 int face_is_along(const shape *s, const vec3 *at, int f, vec3 d);
-
-#endif
 //<

@@ -5,8 +5,7 @@
 // Paper: no such bodies.  Book: chapter 10.
 // Units: metres, in the frame of the vertices (the world's).
 
-#ifndef TUMBLE_RIM_H
-#define TUMBLE_RIM_H
+#pragma once
 
 #include "feature.h"
 #include "body.h"
@@ -47,9 +46,4 @@ feature_point rim_feature(const rim_core *r, const feature_point *on_core);
 
 // m, by how much the prism of its mesh may be short of the cylinder; 0 of others.
 real rim_sag(const shape *s);
-//<
-
-//> rim-end-of-header
-//>   The header ends.
-#endif
 //<

@@ -7,8 +7,7 @@
 // Paper: not asked; a body there moves particle by particle.  Book: chapter 13.
 // Units: metres, kilograms, seconds.  Frame: the world's.
 
-#ifndef TUMBLE_MOTION_H
-#define TUMBLE_MOTION_H
+#pragma once
 
 #include "rigid4.h"
 
@@ -179,9 +178,4 @@ void motion_write(particle *p, const rigid_frame *frame,
 // says.
 rigid_frame motion_frame(const rigid_frame *frame, const motion_basis *basis,
                          const motion *d);
-//<
-
-//> motion-end-of-header
-//>   The header ends.
-#endif
 //<

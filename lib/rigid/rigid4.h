@@ -8,8 +8,7 @@
 // Book: chapter 13.
 // Units: metres, kilograms.
 
-#ifndef TUMBLE_RIGID4_H
-#define TUMBLE_RIGID4_H
+#pragma once
 
 #include "body.h"
 
@@ -128,9 +127,4 @@ void rigid4_ride(const rigid4 *f, const rigid_frame *frame, vec3 *at, int n);
 //> rigid4-mirror-declare
 // Do the particles stand as in a mirror?  (No stick can tell.)
 int rigid4_is_mirrored(const rigid4 *f, const particle *p);
-//<
-
-//> rigid4-end
-//>   The header ends.
-#endif
 //<

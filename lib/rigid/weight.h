@@ -6,8 +6,7 @@
 // chapter 13.
 // Units: metres, kilograms.  Frame: the shape's.
 
-#ifndef TUMBLE_WEIGHT_H
-#define TUMBLE_WEIGHT_H
+#pragma once
 
 #include "rigid4.h"
 #include "scene.h"
@@ -42,6 +41,4 @@ void weight_reach(struct weight *whole, const shape *piece, const placement *at)
 // Fails as weight_copy does.
 status weight_piece(shape *s, const shape *piece, const placement *at,
                     const struct weight *whole);
-
-#endif
 //<

@@ -7,8 +7,7 @@
 // A shape describes a body at rest, in a frame of its own whose origin is the
 // centre of mass.  Many bodies can share one shape.  Units: metres, kilograms.
 
-#ifndef TUMBLE_BODY_H
-#define TUMBLE_BODY_H
+#pragma once
 
 #include "constraint.h"
 #include "mesh.h"
@@ -118,6 +117,4 @@ void shape_free(shape *s);      // an empty or zeroed shape is fine
 
 // What is drawn of it: its skin, or its particles and their mesh.
 struct skin shape_skin(const shape *s);
-
-#endif
 //<

@@ -5,8 +5,7 @@
 // Book: chapter 10.
 // Units: metres, kilograms.
 
-#ifndef TUMBLE_CAPSULE_H
-#define TUMBLE_CAPSULE_H
+#pragma once
 
 #include "body.h"
 
@@ -27,6 +26,4 @@ void capsule_join_core(mesh *m);
 // All points within radius of a segment of this length, which lies along y
 // with its middle in the origin: a rod whose ends are half balls.
 status shape_capsule(shape *s, real length, real radius, real mass);
-
-#endif
 //<

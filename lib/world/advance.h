@@ -7,8 +7,7 @@
 // displaced (rigid.moved) until that is too much for its rows.
 // Units: metres, seconds, radians.
 
-#ifndef TUMBLE_ADVANCE_H
-#define TUMBLE_ADVANCE_H
+#pragma once
 
 #include "world.h"
 //<
@@ -48,6 +47,4 @@ int advance_end(world *w);
 
 // The particles follow.
 void advance_write(world *w);
-
-#endif
 //<

@@ -6,8 +6,7 @@
 // Paper: bodies move, then overlaps are looked for.  Book: chapter 18.
 // Units: metres, seconds, radians.
 
-#ifndef TUMBLE_AHEAD_H
-#define TUMBLE_AHEAD_H
+#pragma once
 
 #include "world.h"
 
@@ -22,6 +21,4 @@ cache_frame ahead_frame(const world *w);
 // rung that goes, of bodies that have turned so far that other points of theirs
 // may touch by now.  Each at most once a substep.
 void ahead_again(world *w, const solver_frame *f, real left);
-
-#endif
 //<

@@ -6,8 +6,7 @@
 // to it.  To joints it is a body of HEAVIER times its mass, so they need not know.
 // Units: metres, seconds.
 
-#ifndef TUMBLE_DRIVE_H
-#define TUMBLE_DRIVE_H
+#pragma once
 
 #include "world.h"
 //<
@@ -29,6 +28,4 @@ void drive_back(world *w, int b);
 
 // m/s, of any point of a driven body, at most.
 real drive_fastest(const world *w);
-
-#endif
 //<

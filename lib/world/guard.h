@@ -3,8 +3,7 @@
 //
 // Paper: not asked.  Book: chapter 18.
 
-#ifndef TUMBLE_GUARD_H
-#define TUMBLE_GUARD_H
+#pragma once
 
 #include "world.h"
 
@@ -28,6 +27,4 @@ void guard_bodies(world *w);
 // No centre of mass goes behind a plane, or further behind than it was; and none
 // goes in through a face of what surrounds bodies.
 void guard_walls(world *w);
-
-#endif
 //<

@@ -10,8 +10,7 @@
 //
 // What is touched from outside wakes, and with it all that sleep with it.
 
-#ifndef TUMBLE_HANDLE_H
-#define TUMBLE_HANDLE_H
+#pragma once
 
 #include "world.h"
 //<
@@ -98,6 +97,4 @@ void world_set_family(world *w, int b, int family);
 // Puts body b to sleep where it is, without the forces that were set; anything
 // may wake it.  Nothing happens to a static one.
 void world_sleep(world *w, int b);
-
-#endif
 //<

@@ -5,8 +5,7 @@
 //
 // Book: chapter 17.
 
-#ifndef TUMBLE_JOIN_H
-#define TUMBLE_JOIN_H
+#pragma once
 
 #include "actuator.h"
 #include "world.h"
@@ -77,6 +76,4 @@ void join_islands_of_joints(world *w);
 
 // After the substeps: linkage_unites may be asked.
 void join_unite(world *w);
-
-#endif
 //<

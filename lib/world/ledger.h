@@ -8,8 +8,7 @@
 // Paper: not asked.  Book: chapter 18.
 // Units: joules, kg m/s, kg m^2/s about the origin, in the world's frame.
 
-#ifndef TUMBLE_LEDGER_H
-#define TUMBLE_LEDGER_H
+#pragma once
 
 #include "world.h"
 //<
@@ -43,9 +42,4 @@ void ledger_rewind(world *w, const ledger_page *to);
 // From where the bodies that are awake have been moved to, the middle of the
 // move that their velocities are of is so far away (s); 0: their particles say.
 void ledger_halfway(world *w, real seconds);
-//<
-
-//> ledger-end
-//>   The header ends.
-#endif
 //<

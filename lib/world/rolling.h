@@ -3,8 +3,7 @@
 //
 // Paper: nothing rolls there.  Book: chapter 18.
 
-#ifndef TUMBLE_ROLLING_H
-#define TUMBLE_ROLLING_H
+#pragma once
 
 #include "world.h"
 
@@ -17,6 +16,4 @@
 // again, unless there is no friction.  In a world without sleep neither is braked.  After
 // the substeps of a frame.
 void rolling_brake(world *w);
-
-#endif
 //<

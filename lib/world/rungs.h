@@ -8,8 +8,7 @@
 // Those that take about as many go together, on one rung.  Models of stars have
 // such block time steps (Aarseth 1963, McMillan 1986).
 
-#ifndef TUMBLE_RUNGS_H
-#define TUMBLE_RUNGS_H
+#pragma once
 
 #include "world.h"
 
@@ -24,6 +23,4 @@ bool rungs_sweeps(const world *w, int a, int b);
 
 // The island of the one of a and b that moves; NULL: neither does.
 island *rungs_island(const world *w, int a, int b);
-
-#endif
 //<

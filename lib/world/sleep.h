@@ -5,8 +5,7 @@
 // Book: chapter 18.
 // Units: metres, seconds.
 
-#ifndef TUMBLE_SLEEP_H
-#define TUMBLE_SLEEP_H
+#pragma once
 
 #include "status.h"
 #include "verlet.h"
@@ -132,9 +131,4 @@ void sleep_wake(sleep_state *s, int b);
 
 // Body b has been moved by hand: what was observed of it is forgotten.
 void sleep_forget(sleep_state *s, int b);
-//<
-
-//> sleep-end-of-header
-//>   The header ends.
-#endif
 //<

@@ -6,8 +6,7 @@
 // table whose pointer is not listed would be freed twice.  What the next frame
 // reads is listed with its elements, what it makes again as room.
 
-#ifndef TUMBLE_SNAPSHOT_H
-#define TUMBLE_SNAPSHOT_H
+#pragma once
 
 #include "store.h"
 #include "world.h"
@@ -22,9 +21,4 @@ void world_store(world *w, store *s);
 
 // Those of a shape, likewise.
 void shape_store(shape *x, store *s);
-//<
-
-//> snapshot-end-of-header
-//>   The header ends.
-#endif
 //<

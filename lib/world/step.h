@@ -5,8 +5,7 @@
 //
 // Paper: sections 5 and 6.  Book: chapter 18.
 
-#ifndef TUMBLE_STEP_H
-#define TUMBLE_STEP_H
+#pragma once
 
 #include "world.h"
 
@@ -15,6 +14,4 @@
 // and never fails: a body whose numbers are lost touches nothing, and
 // w->report.dropped counts what found no room.
 void world_step(world *w);
-
-#endif
 //<

@@ -30,8 +30,8 @@ extern const motion_basis MOTION_IMMOVABLE;
 // A velocity (m/s, and kg^(1/2) m/s), or a displacement (m, and kg^(1/2) m).
 // Its address is a multiple of 16 bytes, as real4_gather2 needs it.  Memory of
 // malloc has that, so a struct that holds one may come from anywhere.  Its size
-// is that of a cache line: in a table that begins with a line, as those of
-// table_grow_aligned do, no motion lies on two.
+// is that of a cache line: in a table that begins with a line, as one of
+// table_grow does, no motion lies on two.
 enum { MOTION_TURN = 3, MOTIONS = 6, MOTION_LINE = 8 };
 
 typedef struct {

@@ -113,13 +113,12 @@ status weight_set(shape *s, const shape *of, real mass, vec3 center,
     struct weight own = { .mass = mass, .center = center };
     if (of->kind != SHAPE_RIGID)
         return status_fail("only a rigid shape has a weight of its own");
-    if (!(mass >= 1e-30 && mass <= 1e30))
-        return status_fail("the mass is %g kg: it must be a number from 1e-30 "
-                           "to 1e+30", mass);
+    status done = size_check("mass", mass, "kg");
+    if (!done.ok) return done;
     if (!is_inside(of, center))
         return status_fail("the centre of mass (%g, %g, %g) is not inside the "
                            "shape", center.x, center.y, center.z);
-    status done = check_moments(inertia, mass, own.spread);
+    done = check_moments(inertia, mass, own.spread);
     if (done.ok) done = weight_copy(s, of);
     if (!done.ok) return done;
     s->own = own;

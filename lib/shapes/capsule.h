@@ -14,9 +14,6 @@
 // evenly in it.  A function that makes a shape fails, and leaves *s empty, if a
 // number is not from 1e-30 to 1e30, or memory is refused.
 
-// Fails unless it is such a number; name and unit are for the sentence.
-status size_check(const char *name, real value, const char *unit);
-
 // A ball around the origin.
 status shape_sphere(shape *s, real radius, real mass);
 

@@ -32,7 +32,6 @@ typedef struct rigid4 {
     real  reach;            // m, the body's largest distance from it
     struct stick stick[FOUR_STICKS];        // every pair
     real  square[FOUR_AXES];        // m^2, of the frame's vectors
-    int   turns_right;      // 1, 2 and 3 at rest, as seen from 0
     int   round_axes;       // about how many axes of the frame it is round: 0,
                             // 1 (axis 1), or all 3
     vec3 *local;            // [shape->particles] vertex v stands at the centre
@@ -122,9 +121,4 @@ static inline vec3 rigid4_lean(const rigid4 *f, const rigid_frame *frame,
 
 // Where the n vertices stand, when the particles stand as the frame says.
 void rigid4_ride(const rigid4 *f, const rigid_frame *frame, vec3 *at, int n);
-//<
-
-//> rigid4-mirror-declare
-// Do the particles stand as in a mirror?  (No stick can tell.)
-int rigid4_is_mirrored(const rigid4 *f, const particle *p);
 //<

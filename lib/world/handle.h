@@ -32,11 +32,15 @@ status world_put(world *w, int b, placement where);
 // it; a kinematic one keeps them.  Nothing happens to a static one.
 void world_set_velocity(world *w, int b, vec3 velocity, vec3 spin);
 
-// Makes a rigid body that is not static kinematic, at rest; or not kinematic any
-// more, and it goes on as it went.  Nothing but world_set_velocity changes the
-// velocity of a kinematic body: it pushes what it meets, carries what lies on
-// it, and goes through what does not move.
-void world_set_kinematic(world *w, int b, bool is_kinematic);
+// In the order of tumble_kind.
+typedef enum { BODY_DYNAMIC, BODY_STATIC, BODY_KINEMATIC } body_kind;
+
+// Makes a rigid body another one, as it stands.  One that was kinematic and becomes
+// dynamic goes on as it went; else it is at rest.  Nothing but world_set_velocity
+// changes the velocity of a kinematic body: it pushes what it meets, carries what
+// lies on it, and goes through what does not move.  What lay on the body wakes, and
+// what is joined to it.
+void world_set_kind(world *w, int b, body_kind kind);
 
 // Another gravity (m/s^2) from now on: everything wakes, and has the velocity that
 // it had.
@@ -46,11 +50,6 @@ void world_set_gravity(world *w, vec3 gravity);
 // has the velocity that it had.  A new one has 1.  Fails, changing nothing, if it is
 // not finite, or beyond -1000 and 1000.
 status world_set_gravity_scale(world *w, int b, real scale);
-
-// Makes a rigid body static, as it stands; or static no more: it is dynamic, at
-// rest.  A kinematic one is to be made dynamic first.  What lay on it wakes, and what
-// is joined to it.
-void world_set_static(world *w, int b, bool is_static);
 
 // An impulse (N s) on a rigid body, now, at a point of the world.  A static or
 // kinematic one does not feel it.

@@ -17,24 +17,15 @@ static void *copy_of(const void *from, int count, size_t size, status *done)
     else    *done = status_out_of_memory();
     return to;
 }
-#define COPY(s, of, member, count) ((s)->member = \
-    copy_of((of)->member, count, sizeof *(of)->member, &done))
 
 status weight_copy(shape *s, const shape *of)
 {
     status done = status_ok();
-    const mesh *m = &of->mesh;
     *s = *of;
-    COPY(s, of, at, of->particles);
-    COPY(s, of, mass, of->particles);
-    COPY(s, of, stick, of->sticks);
-    COPY(s, of, angle, of->angles);
-    COPY(s, of, face, 3 * m->faces);
-    COPY(s, of, mesh.half, 2 * m->edges);
-    COPY(s, of, mesh.vertex_half, m->vertices);
-    COPY(s, of, mesh.face_half, m->faces);
-    COPY(s, of, skin.at, of->skin.points);
-    COPY(s, of, skin.face, 3 * of->skin.faces);
+#define COPY(table, count) \
+    s->table = copy_of(of->table, count, sizeof *of->table, &done);
+    SHAPE_TABLES(COPY, of)
+#undef COPY
     if (!done.ok) shape_free(s);
     return done;
 }

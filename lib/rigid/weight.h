@@ -18,6 +18,16 @@ static inline vec3 placement_vector(const placement *at, vec3 r)
            vec3_add(vec3_scale(r.y, at->y), vec3_scale(r.z, at->z)));
 }
 
+// All tables of a shape, and how many elements each has: for what copies or saves
+// them.
+#define SHAPE_TABLES(TABLE, s)                                                \
+    TABLE(at, (s)->particles) TABLE(mass, (s)->particles)                     \
+    TABLE(stick, (s)->sticks) TABLE(angle, (s)->angles)                       \
+    TABLE(face, 3 * (s)->mesh.faces) TABLE(mesh.half, 2 * (s)->mesh.edges)    \
+    TABLE(mesh.vertex_half, (s)->mesh.vertices)                               \
+    TABLE(mesh.face_half, (s)->mesh.faces) TABLE(skin.at, (s)->skin.points)   \
+    TABLE(skin.face, 3 * (s)->skin.faces)
+
 // A shape with copies of all that `of` has.  Fails, and leaves *s empty, if
 // memory is refused.
 status weight_copy(shape *s, const shape *of);

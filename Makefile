@@ -183,8 +183,9 @@ endef
 $(foreach m,$(LINE),$(eval $(call module,$m)))
 # What a chapter sees: one without modules sees what the chapter before it does.
 $(foreach c,$(CHAPTERS),$(eval SEES_$c := $(or $(UPTO_$c),$(SEES)))$(eval SEES := $(SEES_$c)))
-TESTS_09 += check_poses
+TESTS_09 += check_poses check_experiments
 UPTO_poses := $(UPTO_09)
+UPTO_experiments := $(UPTO_scene)
 TESTS_20 := check_hard check_families
 TESTS_21 := check_clock check_thread
 # The figures of 00 to 08 see Part I up to their chapter; later ones may ask what
@@ -783,7 +784,7 @@ draw = $(if $(wildcard figures/*/$1.gp),echo "  draw  $2/$1.svg" && \
 # These count the memory of what they test, and refuse it.
 SCARCE := $(addprefix $(BUILD)/tests/check_,status verlet mesh body \
   rigidity convex hull capsule obj sphere sphere_tree grid ordering \
-  line rigid4 solver broad pairs cache sleep world come_and_go step measure world_scene scene system \
+  line rigid4 solver broad pairs cache sleep world come_and_go step measure world_scene scene experiments system \
   thread tumble_save given terrain)
 $(SCARCE): LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=aligned_alloc,--wrap=free
 $(SCARCE): $(BUILD)/tests/scarce.o
@@ -843,10 +844,13 @@ $(BUILD)/tests/check_crossings: $(BUILD)/tests/crossings.o
 
 # These judge where the bodies of a scene lie.
 $(addprefix $(BUILD)/tests/check_,poses system): $(BUILD)/tests/poses.o
+# The scenes of the paper's experiments.
+$(addprefix $(BUILD)/tests/check_,experiments system world_scene) $(BUILD)/bits $(BUILD)/soak $(BUILD)/peers: \
+  $(BUILD)/tests/experiments.o
 
 # The hard cases: a program that runs them all, and the tests of the fast ones.
 HARD := $(patsubst %.c,$(BUILD)/tests/%.o,$(notdir $(wildcard tests/hard/hard_*.c))) \
-  $(addprefix $(BUILD)/tests/,oracle.o poses.o bodies.o crossings.o)
+  $(addprefix $(BUILD)/tests/,oracle.o poses.o experiments.o bodies.o crossings.o)
 $(BUILD)/tests/hard.o: CPPFLAGS += -DFLAGS='"$(EXACT) $(CFLAGS)"'
 $(addprefix $(BUILD)/tests/check_,hard judge): $(HARD)
 $(BUILD)/hard-plain: $(BUILD)/tests/plain.o $(HARD) $(ALL)
@@ -883,7 +887,7 @@ $(BUILD)/soak: $(BUILD)/tests/soak.o $(ALL)
 	$(call link,-lm)
 
 # A test sees the line up to its module; a test of no module sees all of it.
-$(BUILD)/tests/check_%: $(BUILD)/tests/check_%.o $$(if $$(filter $$*,$(MODULES) poses),$$(UPTO_$$*),$(ALL))
+$(BUILD)/tests/check_%: $(BUILD)/tests/check_%.o $$(if $$(filter $$*,$(MODULES) poses experiments),$$(UPTO_$$*),$(ALL))
 	$(call link,$(CHECK_LIBS))
 
 # So does a fuzzer, which is called by libFuzzer.  One has a file system of
@@ -982,7 +986,7 @@ define link
 endef
 
 $(BUILD)/libtumble.a: $(ALL)
-$(BUILD)/libpainter.a: $(PAINTER:%.c=$(BUILD)/figures/%.o) $(BUILD)/tests/poses.o
+$(BUILD)/libpainter.a: $(PAINTER:%.c=$(BUILD)/figures/%.o) $(addprefix $(BUILD)/tests/,poses.o experiments.o)
 $(BUILD)/lib%.a:
 	@echo "  pack  $@"
 	$(Q)rm -f $@ && $(AR) rcs $@ $^

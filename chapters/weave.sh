@@ -3,7 +3,7 @@
 # reference of tumble.h (reference.awk).  With no folder it
 # prints which files are the book's code; each of their lines is in it once.
 
-code="lib/tumble.h lib/*/*.h lib/*/*.c tests/support/oracle.[hc] tests/support/poses.[hc]
+code="lib/tumble.h lib/*/*.h lib/*/*.c tests/support/oracle.[hc] tests/support/poses.[hc] tests/support/experiments.[hc]
       chapters/little/*.c tests/contact/plain_*.[hc] tests/soft/plain_*.[hc]
       figures/manual/*.c figures/manual/*.py"
 [ "$1" ] || { echo $code; exit; }

@@ -20,7 +20,7 @@ FNR == 1 {
     module = file; sub(/\.[ch]$/, "", module)
     if (FILENAME ~ /public\//) wanted[module] = 1
 }
-/^\/\/[<>]/ { next }
+/^\/\/[<>]/ || /^#pragma once/ { next }
 /^#include "/ { split($0, quoted, "\""); sub(/\.h$/, "", quoted[2]); uses[module] = uses[module] " " quoted[2]; next }
 # A file that is compiled once has the passes of the contact solver once.
 file == "passes.h" && /^extern const solver_passes/ { sub(/, passes_wide/, "") }

@@ -67,7 +67,7 @@ static void begin(void)
     pulled = -1;
     frame = 0;
     for (int k = 0; k < PINS; k++) is_pinned[k] = false;
-    if (done.ok) world_set_kinematic(&room, BALL, true);
+    if (done.ok) world_set_kind(&room, BALL, BODY_KINEMATIC);
     else         live_say("%s", done.why);
 }
 

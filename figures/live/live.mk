@@ -61,10 +61,9 @@ WITH_gjk := rules/04-distance-1.o live/plane.o
 $(foreach f,dot epa climb shares nearest slab regions clip keep shadow tin needle,$(eval WITH_$f := live/plane.o))
 WITH_relax := tests/plain_solver.o
 WITH_sag := tests/plain_solver.o
-WITH_hard := live/live_world.o live/view.o tests/hard_set.o tests/hard_drape_set.o
+WITH_hard := live/live_world.o live/view.o tests/hard_set.o tests/hard_drape_set.o tests/experiments.o
 WITH_sandbox := live/view.o $(SCENES:%.c=figures/%.o)
-WITH_drape := figures/runner.o tests/poses.o
-WITH_room := figures/runner.o tests/poses.o
+$(foreach f,drape room,$(eval WITH_$f := figures/runner.o tests/poses.o tests/experiments.o))
 $(foreach f,pile carry fabric chain energy canopy,$(eval WITH_$f := live/live_world.o))
 # The first program of the book runs on a module of the next chapter, and what turns in
 # a plane is linked with chapter 04.

@@ -5,8 +5,7 @@
 //
 // Book: chapter 12.
 
-#ifndef TUMBLE_INLINE_H
-#define TUMBLE_INLINE_H
+#pragma once
 
 #ifdef __GNUC__
 #define ALWAYS_INLINE static inline __attribute__((always_inline))
@@ -14,7 +13,5 @@
 #else
 #define ALWAYS_INLINE static inline
 #define NEVER_INLINE  static
-#endif
-
 #endif
 //<

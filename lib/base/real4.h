@@ -5,8 +5,7 @@
 // The plain form, four numbers and a loop, gives the same bits: it is what a
 // compiler without vector types uses, and what the tests compare with.
 
-#ifndef TUMBLE_REAL4_H
-#define TUMBLE_REAL4_H
+#pragma once
 
 #include "inline.h"
 #include "vec3.h"
@@ -176,9 +175,4 @@ static inline void real4_sub3(real4 to[3], const real4 a[3], real4 s)
 {
     for (int i = 0; i < 3; i++) to[i] = real4_sub(to[i], real4_mul(a[i], s));
 }
-//<
-
-//> real4-end
-//>   The header ends.
-#endif
 //<

@@ -6,8 +6,7 @@
 // that meets it leaves nothing half built and returns one sentence that says
 // what is wrong, where, and why.
 
-#ifndef TUMBLE_STATUS_H
-#define TUMBLE_STATUS_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -27,6 +26,4 @@ status status_fail(const char *format, ...);
 
 // The status of an allocation that was refused.
 status status_out_of_memory(void);
-
-#endif
 //<

@@ -9,8 +9,7 @@
 // Numbers have the form of memory, so bytes are good for the same version of the
 // library on the same kind of machine, and refused elsewhere.
 
-#ifndef TUMBLE_STORE_H
-#define TUMBLE_STORE_H
+#pragma once
 
 #include "status.h"
 
@@ -104,9 +103,4 @@ void store_leave(store *s);
 
 // Fails, unless it failed before.
 void store_fail(store *s, status why);
-//<
-
-//> store-end-of-header
-//>   The header ends.
-#endif
 //<

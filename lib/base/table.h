@@ -4,8 +4,7 @@
 //
 // Book: chapter 13.
 
-#ifndef TUMBLE_TABLE_H
-#define TUMBLE_TABLE_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdlib.h>
@@ -18,22 +17,6 @@ static inline int table_room(int need, int room)
 {
     if (need <= room) return room;
     return need > 2 * room ? need : 2 * room;
-}
-
-// Gives the array whose address is in *array (`array` is the address of a
-// pointer to its elements) room for `room` elements of so many bytes.  The
-// first `kept` stay, the others are zero.  False, changing nothing, if memory is
-// refused.
-static inline bool table_grow(void *array, int kept, int room, size_t size)
-{
-    size_t old = (size_t)kept * size, bytes = (size_t)room * size;
-    void *was, *more;
-    memcpy(&was, array, sizeof was);
-    more = realloc(was, bytes > 0 ? bytes : 1);
-    if (!more) return false;
-    memset((char *)more + old, 0, bytes - old);
-    memcpy(array, &more, sizeof more);
-    return true;
 }
 
 // Memory that begins with a cache line, where the system has a call for that
@@ -51,9 +34,11 @@ static inline void *table_lines(size_t bytes)
 #endif
 }
 
-// The same, in memory that begins with a cache line.
-static inline bool table_grow_aligned(void *array, int kept, int room,
-                                      size_t size)
+// Gives the array whose address is in *array (`array` is the address of a
+// pointer to its elements) room for `room` elements of so many bytes, from the
+// beginning of a cache line on.  The first `kept` stay, the others are zero.
+// False, changing nothing, if memory is refused.
+static inline bool table_grow(void *array, int kept, int room, size_t size)
 {
     size_t old = (size_t)kept * size, bytes = (size_t)room * size;
     void *was, *more = table_lines(bytes);
@@ -88,15 +73,11 @@ static inline bool table_add(void *array, int count, int *room, size_t size)
 static inline bool table_renew(void *array, int *room, int need, size_t size)
 {
     enum { MOST = 1 << 28 };
-    void *was, *more;
     if (need <= *room) return true;
     if (need > MOST) return false;
-    more = calloc((size_t)need + (size_t)need / 8 + 4, size);
-    if (!more) return false;
-    memcpy(&was, array, sizeof was);
-    memcpy(array, &more, sizeof more);
-    free(was);
-    *room = need + need / 8 + 4;
+    int more = need + need / 8 + 4;
+    if (!table_grow(array, 0, more, size)) return false;
+    *room = more;
     return true;
 }
 #define TABLE_RENEW(array, room, need) \
@@ -106,9 +87,4 @@ static inline bool table_renew(void *array, int *room, int need, size_t size)
 // of them found no memory.
 #define TABLE_GROW(ok, array, kept, room) \
     ((ok) = (ok) && table_grow(&(array), (kept), (room), sizeof *(array)))
-#define TABLE_GROW_ALIGNED(ok, array, kept, room)               \
-    ((ok) = (ok) && table_grow_aligned(&(array), (kept), (room), \
-                                       sizeof *(array)))
-
-#endif
 //<

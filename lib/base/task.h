@@ -6,8 +6,7 @@
 //
 // Paper: not asked.  Book: chapter 18.
 
-#ifndef TUMBLE_TASK_H
-#define TUMBLE_TASK_H
+#pragma once
 
 // run must call work(data, 0) ... work(data, items - 1), in any order or at once, and
 // return when all are done; NULL: one after the other.  No item may touch what another
@@ -58,6 +57,4 @@ static inline void tasks_run(tasks t, void (*work)(void *data, int item),
     }
     for (int k = 0; k < items; k++) work(data, k);
 }
-
-#endif
 //<

@@ -6,8 +6,7 @@
 // Only + - * / and sqrt: IEEE 754 rounds these alike everywhere, so the same
 // scene gives the same bits on every machine.
 
-#ifndef TUMBLE_VEC3_H
-#define TUMBLE_VEC3_H
+#pragma once
 
 #include <math.h>
 #include <stdbool.h>
@@ -122,6 +121,4 @@ static inline bool vec3_is_finite(vec3 a)
 {
     return a.x - a.x == 0 && a.y - a.y == 0 && a.z - a.z == 0;
 }
-
-#endif
 //<

@@ -6,8 +6,7 @@
 // Paper: section 4.3 has spheres (chapter 06).  Book: chapter 14.
 // Units: metres.
 
-#ifndef TUMBLE_AABB_TREE_H
-#define TUMBLE_AABB_TREE_H
+#pragma once
 
 #include "vec3.h"
 
@@ -102,6 +101,4 @@ static inline int aabb_tree_end(const aabb_tree *t, int leaf)
 {
     return int_min((leaf + 1) * A_LEAF, t->things);
 }
-
-#endif
 //<

@@ -5,8 +5,7 @@
 // Paper: section 5 tests every pair.  Book: chapter 14.
 // Units: metres, in the world's frame.
 
-#ifndef TUMBLE_BROAD_H
-#define TUMBLE_BROAD_H
+#pragma once
 
 #include "aabb_tree.h"
 #include "sphere_tree.h"
@@ -67,6 +66,4 @@ static inline bool broad_is_before(const int x[2], const int y[2])
 // `capacity` pairs.
 int broad_pairs_all(const sphere *ball, const char *moves, int bodies,
                     int (*out)[2], int capacity);
-
-#endif
 //<

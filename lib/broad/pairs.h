@@ -6,8 +6,7 @@
 // Paper: section 5.2 tests every pair of spheres.  Book: chapter 14.
 // Units: metres, in the world's frame.
 
-#ifndef TUMBLE_PAIRS_H
-#define TUMBLE_PAIRS_H
+#pragma once
 
 #include "broad.h"
 #include "scene.h"
@@ -109,6 +108,4 @@ static inline void pair_list_filter(pair_list *l, pair_stays *stays,
 // Removes settled pairs from a whole list, after tables with a place for each pair have
 // followed it.
 void pair_list_part(pair_list *l);
-
-#endif
 //<

@@ -8,49 +8,37 @@
 #include <stdlib.h>
 #include <string.h>
 
-// On one axis, from when to when do they overlap, of a way of that length?
-static void overlap(real low, real high, real way, real from, real to,
-                    real *begin, real *end)
+// On one axis, from when to when is what begins at 0 between low and high, on a way
+// of that length?
+static void overlap(real low, real high, real way, real *begin, real *end)
 {
-    real in = low - to, out = high - from;
     if (way == 0) {
-        if (in > 0 || out < 0) *end = -HUGE_VAL;
+        if (low > 0 || high < 0) *end = -HUGE_VAL;
         return;
     }
-    real first = (way > 0 ? in : out) / way, last = (way > 0 ? out : in) / way;
+    real first = (way > 0 ? low : high) / way, last = (way > 0 ? high : low) / way;
     *begin = real_max(*begin, first);
     *end = real_min(*end, last);
 }
 
-// The share of the way after which q's box meets b; HUGE_VAL: never.
-static real box_time_of_impact(const surface_query *q, const aabb *b)
+// The share of the way after which the origin is in the box; HUGE_VAL: never.
+static real box_time_of_impact(const aabb *box, vec3 way)
 {
-    const aabb *t = &q->thing;
     real begin = 0, end = 1;
-    overlap(b->low.x, b->high.x, q->way.x, t->low.x, t->high.x, &begin, &end);
-    overlap(b->low.y, b->high.y, q->way.y, t->low.y, t->high.y, &begin, &end);
-    overlap(b->low.z, b->high.z, q->way.z, t->low.z, t->high.z, &begin, &end);
+    overlap(box->low.x, box->high.x, way.x, &begin, &end);
+    overlap(box->low.y, box->high.y, way.y, &begin, &end);
+    overlap(box->low.z, box->high.z, way.z, &begin, &end);
     return begin <= end ? begin : HUGE_VAL;
 }
 
-// m
-static real interval_gap(real low, real high, real from, real to)
-{
-    return real_max(real_max(low - to, from - high), 0);
-}
-
-static real distance_to(const surface_query *q, const aabb *b)
-{
-    const aabb *t = &q->thing;
-    return vec3_length((vec3){
-        interval_gap(b->low.x, b->high.x, t->low.x, t->high.x),
-        interval_gap(b->low.y, b->high.y, t->low.y, t->high.y),
-        interval_gap(b->low.z, b->high.z, t->low.z, t->high.z) });
-}
-
+// Box b, larger by the box that is asked about, is what that one is as a point.
 static real reaches(const surface_query *q, const aabb *b)
 {
-    return q->by_distance ? distance_to(q, b) : box_time_of_impact(q, b);
+    const vec3 origin = { 0, 0, 0 };
+    aabb box = { vec3_sub(b->low, q->thing.high),
+                 vec3_sub(b->high, q->thing.low) };
+    return q->by_distance ? sqrt(aabb_distance_squared(&box, origin))
+                          : box_time_of_impact(&box, q->way);
 }
 //<
 

@@ -6,8 +6,7 @@
 // Paper: a body there is one convex solid.  Book: chapter 19.
 // Units: metres, in the frame of the points.
 
-#ifndef TUMBLE_SURFACE_H
-#define TUMBLE_SURFACE_H
+#pragma once
 
 #include "aabb_tree.h"
 #include "scene.h"
@@ -79,6 +78,4 @@ status surface_shape(const surface *s, int triangle, shape *made,
 
 // Calls q->meets for the triangles that answer q, those in nearer boxes first.
 void   surface_visit(const surface *s, surface_query *q);
-
-#endif
 //<

@@ -8,8 +8,7 @@
 // solved together, once, directly.
 // Units: metres, kilograms, seconds.  Normals point from B to A.
 
-#ifndef TUMBLE_BLOW_H
-#define TUMBLE_BLOW_H
+#pragma once
 
 #include "impact.h"
 #include "solver.h"
@@ -26,6 +25,4 @@ void blow_stop(contact_solver *s, const solver_frame *f, motion *velocity);
 // After solver_relax, and when contacts have been heard: what a blow gave does
 // not act again in the next substep, nor does friction where points struck.
 void blow_forget(contact_solver *s);
-
-#endif
 //<

@@ -9,8 +9,7 @@
 // they lay at the last query.
 // Units: metres, kilograms, seconds.  Normals point from B to A.
 
-#ifndef TUMBLE_CACHE_H
-#define TUMBLE_CACHE_H
+#pragma once
 
 #include "cache_tables.h"
 //<
@@ -46,6 +45,4 @@ void cache_forget_plane(contact_cache *c, int wall);
 // must have more.
 const cache_pair *cache_next(const cache_list *l, int *k,
                              const cache_list *other, int *j);
-
-#endif
 //<

@@ -5,8 +5,7 @@
 // Paper: section 6.1, where contacts do not outlive a step.  Book: chapter 18.
 // Units: metres, kilograms, seconds.  Normals point from B to A.
 
-#ifndef TUMBLE_CACHE_TABLES_H
-#define TUMBLE_CACHE_TABLES_H
+#pragma once
 
 #include "collide.h"
 #include "pairs.h"
@@ -181,9 +180,4 @@ static inline void cache_take(contact *c, const manifold *m,
             .local_b = b ? cache_local(b, &m->point[k].b) : (vec3){ 0, 0, 0 },
             .own = b ? contact_own(&m->point[k], c) : 1 };
 }
-//<
-
-//> cache-tables-end
-//>   The header ends.
-#endif
 //<

@@ -5,8 +5,7 @@
 // Book: chapter 13.
 // Units: metres, kilograms, seconds.  Normals are unit vectors from B to A.
 
-#ifndef TUMBLE_CONTACT_H
-#define TUMBLE_CONTACT_H
+#pragma once
 
 #include "motion.h"
 
@@ -112,9 +111,4 @@ static inline void contact_expect(const contact *c)
     (void)c;
 #endif
 }
-//<
-
-//> contact-end-of-header
-//>   The header ends.
-#endif
 //<

@@ -4,8 +4,7 @@
 // Paper: not asked.  Book: chapter 15.
 // Units: metres, kilograms, seconds.
 
-#ifndef TUMBLE_IMPACT_H
-#define TUMBLE_IMPACT_H
+#pragma once
 
 #include "motion.h"
 //<
@@ -60,9 +59,4 @@ void impact_stop(impact_set *w);
 
 // Gives the velocities what impulses have changed by since they were last applied.
 void impact_apply(impact_set *w, motion *velocity);
-//<
-
-//> impact-end-of-header
-//>   The header ends.
-#endif
 //<

@@ -5,8 +5,7 @@
 //
 // Paper: no friction.  Book: chapter 13.
 
-#ifndef TUMBLE_MATERIAL_H
-#define TUMBLE_MATERIAL_H
+#pragma once
 
 #include "vec3.h"
 
@@ -38,6 +37,4 @@ static inline real material_slowest(real gravity, real h)
     const real falls = 2;       // tuned, substeps
     return falls * gravity * h;
 }
-
-#endif
 //<

@@ -9,8 +9,7 @@
 // side by side.  Book: chapter 13.
 // Units: metres, kilograms, seconds.  Normals point from B to A.
 
-#ifndef TUMBLE_PASSES_H
-#define TUMBLE_PASSES_H
+#pragma once
 
 #include "contact.h"
 #include "material.h"
@@ -313,9 +312,4 @@ static inline const solver_passes *passes_best(void)
 #endif
     return &passes_narrow;
 }
-//<
-
-//> passes-end
-//>   The header ends.
-#endif
 //<

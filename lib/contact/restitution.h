@@ -4,8 +4,7 @@
 // Paper: section 6.1 only parts what overlaps.  Book: chapter 15.
 // Units: metres, kilograms, seconds.  Normals point from B to A.
 
-#ifndef TUMBLE_RESTITUTION_H
-#define TUMBLE_RESTITUTION_H
+#pragma once
 
 #include "impact.h"
 #include "solver.h"
@@ -39,9 +38,4 @@ int restitution_solve(const contact *const *table, int n, const solver_frame *f,
 // substep, at their velocities now.  Returns whether c is of two balls.
 bool restitution_face(contact *c, const solver_frame *f,
                       const motion *velocity, const motion *moved);
-//<
-
-//> restitution-end-of-header
-//>   The header ends.
-#endif
 //<

@@ -5,8 +5,7 @@
 // Paper: bodies meet one by one.  Book: chapter 11.
 // Units: metres, in the world's frame.
 
-#ifndef TUMBLE_SEAMS_H
-#define TUMBLE_SEAMS_H
+#pragma once
 
 #include "cache_tables.h"
 
@@ -27,6 +26,4 @@ bool seams_is_on_floor(const cache_frame *f, const cache_pair *p);
 // they move in this frame, and neither on an order nor on the past.  If memory is
 // refused, nothing is corrected, and c->lost counts one more.
 void seams_correct(contact_cache *c, const cache_frame *f);
-
-#endif
 //<

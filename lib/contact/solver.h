@@ -4,8 +4,7 @@
 // Paper: section 6.1 parts one pair after the other, once a step.  Book: chapter 13.
 // Units: metres, kilograms, seconds.  Normals point from B to A.
 
-#ifndef TUMBLE_SOLVER_H
-#define TUMBLE_SOLVER_H
+#pragma once
 
 #include "passes.h"
 //<
@@ -77,9 +76,4 @@ void solver_store(contact_solver *s, tasks run, contact *const *table);
 // After solver_store: sets the impulses of contact k, which did not solve the frame, to
 // 0.
 void solver_forget(contact_solver *s, contact *const *table, int k);
-//<
-
-//> solver-end
-//>   The header ends.
-#endif
 //<

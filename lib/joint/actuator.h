@@ -7,8 +7,7 @@
 // Paper: not asked.  Book: chapter 17.
 // Units: metres, kilograms, seconds, radians, newtons.
 
-#ifndef TUMBLE_ACTUATOR_H
-#define TUMBLE_ACTUATOR_H
+#pragma once
 
 #include "joint.h"
 
@@ -80,6 +79,4 @@ bool actuator_switch_cone(joint *j, const joint_rows *r, real more[JOINT_ROWS]);
 // passed holds.  Returns whether that has changed; the impulse that is to be
 // given at once, N s, in *more.
 bool actuator_switch(joint *j, const joint_rows *r, real *more);
-
-#endif
 //<

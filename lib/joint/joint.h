@@ -6,8 +6,7 @@
 // Paper: not asked.  Book: chapter 17.
 // Units: metres, kilograms, seconds, radians.
 
-#ifndef TUMBLE_JOINT_H
-#define TUMBLE_JOINT_H
+#pragma once
 
 #include "inline.h"
 #include "solver.h"
@@ -273,6 +272,4 @@ static inline void small_times(int n, real m[JOINT_ROWS][JOINT_ROWS], real *x)
         for (int i = 0; i < n; i++) y[i] += m[k][i] * x[k];
     for (int i = 0; i < n; i++) x[i] = y[i];
 }
-
-#endif
 //<

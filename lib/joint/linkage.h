@@ -7,8 +7,7 @@
 // its width (the frontal method, Irons 1970).  Book: chapter 17.
 // Units: metres, kilograms, seconds.
 
-#ifndef TUMBLE_LINKAGE_H
-#define TUMBLE_LINKAGE_H
+#pragma once
 
 #include "joint.h"
 #include "placed.h"
@@ -193,6 +192,4 @@ void linkage_relax(linkage *l, const linkage_pass *q);
 // the substeps of a frame.
 void linkage_unite(linkage *l, const linkage_pass *q);
 bool linkage_unites(linkage *l, int a, int b);
-
-#endif
 //<

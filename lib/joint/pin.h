@@ -14,8 +14,7 @@
 // Book: chapter 17.
 // Units: metres, kilograms, seconds.
 
-#ifndef TUMBLE_PIN_H
-#define TUMBLE_PIN_H
+#pragma once
 
 #include "linkage.h"
 #include "near.h"
@@ -28,6 +27,4 @@ void pins_begin(linkage *l, const soft_frame *f);
 // when the strands have pulled: what they did to it is done to both.  Pins that
 // bore too much break.
 void pins_end(linkage *l, const soft_frame *f);
-
-#endif
 //<

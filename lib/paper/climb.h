@@ -3,8 +3,7 @@
 // where there are many, uphill along the edges of its mesh.
 //
 // Book: chapter 5.  Units: metres, in the frame of the points.
-#ifndef TUMBLE_CLIMB_H
-#define TUMBLE_CLIMB_H
+#pragma once
 #include "gjk.h"
 #include "mesh.h"
 
@@ -32,5 +31,4 @@ int hull_scan(hull h, vec3 d);
 // 1e-9 of its size (mesh_check_convex), and flat in places: a climb may end in
 // front of a dent, or on a plain far below the top.
 int hull_climb(const hull_mesh *b, vec3 d, int from);
-#endif
 //<

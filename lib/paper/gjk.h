@@ -2,8 +2,7 @@
 // gjk.h - how far apart are two convex bodies?  (Gilbert, Johnson, Keerthi.)
 // Paper: section 5.1, Eqs 2 to 7.  Book: chapter 4.
 // Units: metres, in the frame of the points (the world's).
-#ifndef TUMBLE_GJK_H
-#define TUMBLE_GJK_H
+#pragma once
 #include "vec3.h"
 #include <stdbool.h>
 
@@ -66,5 +65,4 @@ gjk_result gjk_distance(hull a, hull b, real margin, simplex *carried);
 
 // The same of hulls that are known to be in range.
 gjk_result gjk_search(hull a, hull b, real margin, simplex *carried);
-#endif
 //<

@@ -6,8 +6,7 @@
 // found by the expanding polytope algorithm (EPA; van den Bergen, 2001).
 // Book: chapter 5.  Units: metres, in the frame of the points.
 
-#ifndef TUMBLE_HIT_FACE_H
-#define TUMBLE_HIT_FACE_H
+#pragma once
 
 #include "climb.h"
 #include "feature.h"
@@ -39,6 +38,4 @@ hit_result hit_face_find(hull a, hull b, const simplex *start);
 // few are asked.
 hit_result hit_face_climb(const hull_mesh *a, const hull_mesh *b,
                           const simplex *start);
-
-#endif
 //<

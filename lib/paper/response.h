@@ -5,8 +5,7 @@
 // Units: metres, kilograms.  Frame: the world's.  Every normal is a unit vector
 // from B to A: A moves out along it, B against it.
 
-#ifndef TUMBLE_RESPONSE_H
-#define TUMBLE_RESPONSE_H
+#pragma once
 
 #include "feature.h"
 #include "verlet.h"
@@ -62,6 +61,4 @@ typedef struct {
 // before (m), 0 if there is none.  Requires: mass_a and mass_b > 0.
 real response_printed(const feature_contact *c, particle *p,
                       response_errata errata);
-
-#endif
 //<

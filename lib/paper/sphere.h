@@ -5,8 +5,7 @@
 // Paper: section 5.2.  Book: chapter 6.
 // Units: metres, in the frame of the points (the world's).
 
-#ifndef TUMBLE_SPHERE_H
-#define TUMBLE_SPHERE_H
+#pragma once
 
 #include "vec3.h"
 
@@ -30,6 +29,4 @@ sphere sphere_of_points(const vec3 *at, const int *index, int n,
 
 // The smallest sphere that encloses two.
 sphere sphere_of_spheres(sphere a, sphere b);
-
-#endif
 //<

@@ -5,8 +5,7 @@
 // Paper: section 5.2.  Book: chapter 6.
 // Units: metres, in the frame of the points (the world's).
 
-#ifndef TUMBLE_SPHERE_TREE_H
-#define TUMBLE_SPHERE_TREE_H
+#pragma once
 
 #include "sphere.h"
 #include "status.h"
@@ -100,6 +99,4 @@ tree_result sphere_tree_pairs(sphere_tree *a, const vec3 *at_a,
 // margin / (sum of two leaves' radii)).
 tree_result sphere_tree_self(sphere_tree *t, const vec3 *at, real margin,
                              real apart, leaf_pair *out, int capacity);
-
-#endif
 //<

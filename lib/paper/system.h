@@ -5,8 +5,7 @@
 // Paper: sections 3 to 7.  Book: chapter 9.
 // Units: metres, kilograms, seconds.  Frame: the world's.
 
-#ifndef TUMBLE_SYSTEM_H
-#define TUMBLE_SYSTEM_H
+#pragma once
 
 #include "hit_face.h"
 #include "ordering.h"
@@ -127,6 +126,4 @@ void   system_free(particle_system *s);
 // One frame.  Never fails: the report says what did not go well.  A body whose
 // positions are lost touches nothing from then on, and harms no other.
 system_report system_step(particle_system *s);
-
-#endif
 //<

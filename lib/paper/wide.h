@@ -5,8 +5,7 @@
 // Knuth's sum and Dekker's product.  Book: chapter 4.  Only + - * /, so these
 // too are the same on every machine.
 
-#ifndef TUMBLE_WIDE_H
-#define TUMBLE_WIDE_H
+#pragma once
 
 #include "vec3.h"
 
@@ -115,6 +114,4 @@ static inline vec3 wide3_rounded(wide3 a)
 {
     return (vec3){ a.x.high, a.y.high, a.z.high };
 }
-
-#endif
 //<

@@ -4,8 +4,7 @@
 // Paper: section 3.2, "linear constraints".  Book: chapter 2.
 // Units: metres, inverse masses in 1/kg, strain without unit (error / length).
 
-#ifndef TUMBLE_CONSTRAINT_H
-#define TUMBLE_CONSTRAINT_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -119,6 +118,4 @@ typedef struct angle {
 // the result is C, without unit.  Nothing moves if an arm has no length (error
 // 0) or if the arms lie in one line, where no side to turn to is preferred.
 stick_result angle_relax(angle c, particle *p);
-
-#endif
 //<

@@ -5,8 +5,7 @@
 // Particles and sticks (distance constraints) count from the first of their
 // body.
 
-#ifndef TUMBLE_ORDERING_H
-#define TUMBLE_ORDERING_H
+#pragma once
 
 #include "constraint.h"
 
@@ -54,6 +53,4 @@ relax_result sticks_relax_from(const stick_lists *l, int from,
 // have been relaxed.  Slow: every relaxation looks at all n.
 relax_result sticks_relax_largest(const stick *s, int n, particle *p,
                                   int max_iterations, relax_options options);
-
-#endif
 //<

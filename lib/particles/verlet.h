@@ -4,8 +4,7 @@
 // Paper: section 3.1, Eq. 1.  Book: chapter 1.
 // Units: metres, seconds, kilograms, newtons.  Frame: the world's.
 
-#ifndef TUMBLE_VERLET_H
-#define TUMBLE_VERLET_H
+#pragma once
 
 #include "status.h"
 #include "vec3.h"
@@ -51,6 +50,4 @@ void verlet_step(particle *p, int n, vec3 gravity, const vec3 *force, real dt);
 // (x - x_previous) / dt, is the velocity half a step ago; the acceleration
 // (m/s^2) at time t carries it on by dt / 2.  Zero for a pinned particle.
 vec3 verlet_velocity(const particle *p, vec3 acceleration, real dt);
-
-#endif
 //<

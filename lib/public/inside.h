@@ -7,8 +7,7 @@
 // The files tumble_*.c check the ids and numbers of a program, and leave the work to
 // the modules of the engine.
 
-#ifndef TUMBLE_INSIDE_H
-#define TUMBLE_INSIDE_H
+#pragma once
 
 #include "cast.h"
 #include "slots.h"
@@ -201,9 +200,4 @@ static inline tumble_vec3 to_user(vec3 v)
 {
     return (tumble_vec3){ v.x, v.y, v.z };
 }
-//<
-
-//> inside-end-of-header
-//>   The header ends.
-#endif
 //<

@@ -5,8 +5,7 @@
 // A thing in a table is called by its place.  When it goes, another may take
 // the place; so an id has the generation of the place beside it.
 
-#ifndef TUMBLE_SLOTS_H
-#define TUMBLE_SLOTS_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -45,9 +44,4 @@ void *slots_find(const slots *s, unsigned place, unsigned generation);
 
 // The thing in place k, from 0 to count - 1; NULL if it is not taken.
 void *slots_at(const slots *s, int k);
-//<
-
-//> slots-end-of-header
-//>   The header ends.
-#endif
 //<

@@ -41,7 +41,7 @@ static bool set_up(tumble_world *w, int number, const tumble_body_options *o)
 {
     material m = { o->friction, o->restitution };
     if (o->kind == TUMBLE_KINEMATIC) {
-        world_set_kinematic(&w->world, number, true);
+        world_set_kind(&w->world, number, BODY_KINEMATIC);
         world_set_velocity(&w->world, number, from_user(o->velocity),
                            from_user(o->spin));
     }

@@ -15,9 +15,7 @@ bool tumble_body_set_kind(tumble_world *w, tumble_body b, tumble_kind kind)
     body_place *x = inside_body(w, b);
     if (kind == x->kind) return true;
     inside_lock(w, x, 0);
-    world_set_kinematic(&w->world, number, false);
-    world_set_static(&w->world, number, kind == TUMBLE_STATIC);
-    world_set_kinematic(&w->world, number, kind == TUMBLE_KINEMATIC);
+    world_set_kind(&w->world, number, (body_kind)kind);
     x->kind = kind;
     return true;
 }

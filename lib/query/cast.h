@@ -5,8 +5,7 @@
 // Units: metres, in the frame of the points (the world's); time as a fraction of the
 // displacement.
 
-#ifndef TUMBLE_CAST_H
-#define TUMBLE_CAST_H
+#pragma once
 
 #include "scene.h"
 #include "search.h"
@@ -68,9 +67,4 @@ bool cast_overlaps(rounded a, rounded b);
 // and a is parted by so much along the normal.  hits: both are in range.
 cast_result cast_gap(rounded a, rounded b);
 cast_result cast_gap_plane(rounded a, plane p);
-//<
-
-//> cast-end-of-header
-//>   The header ends.
-#endif
 //<

@@ -8,8 +8,7 @@
 // Paper: sections 5.1 and 6.1.  Book: chapter 15.
 // Units: metres, in the world's frame.  Normals point from B to A.
 
-#ifndef TUMBLE_COLLIDE_H
-#define TUMBLE_COLLIDE_H
+#pragma once
 
 #include "manifold.h"
 #include "swept.h"
@@ -30,6 +29,4 @@ manifold collide_rigid(const collider *a, const collider *b, real margin,
 swept_status collide_swept(const collider *a, const swept_motion *of_a,
                            const collider *b, const swept_motion *of_b,
                            real apart, vec3 *scratch, manifold *m);
-
-#endif
 //<

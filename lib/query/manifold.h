@@ -6,8 +6,7 @@
 // Book: chapter 11.
 // Units: metres, in the world's frame.  The normal points from B to A.
 
-#ifndef TUMBLE_MANIFOLD_H
-#define TUMBLE_MANIFOLD_H
+#pragma once
 
 #include "query.h"
 
@@ -65,6 +64,4 @@ vec3 face_area(const shape *s, const vec3 *at, int f);
 
 // Is the normal of face f within 8 degrees of the unit vector d (cosine squared 0.98)?
 int face_is_along(const shape *s, const vec3 *at, int f, vec3 d);
-
-#endif
 //<

@@ -6,8 +6,7 @@
 // Paper: section 5.1.  Book: chapter 10.
 // Units: metres, in the frame of the vertices (the world's).
 
-#ifndef TUMBLE_QUERY_H
-#define TUMBLE_QUERY_H
+#pragma once
 
 #include "body.h"
 #include "hit_face.h"
@@ -79,6 +78,4 @@ collider query_core(const collider *c, const rim_core *r);
 // they are not there yet; the gap is theirs.
 void query_touch_cores(const collider *a, const collider *b, const rim_pair *p,
                        vec3 n, touch *t);
-
-#endif
 //<

@@ -5,8 +5,7 @@
 // Paper: no such bodies.  Book: chapter 10.
 // Units: metres, in the frame of the vertices (the world's).
 
-#ifndef TUMBLE_RIM_H
-#define TUMBLE_RIM_H
+#pragma once
 
 #include "feature.h"
 #include "body.h"
@@ -48,9 +47,4 @@ feature_point rim_feature(const rim_core *r, const feature_point *on_core);
 // m, how far the prism of its mesh is inside of the cylinder at most; 0 for other
 // shapes.
 real rim_sag(const shape *s);
-//<
-
-//> rim-end-of-header
-//>   The header ends.
-#endif
 //<

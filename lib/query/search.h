@@ -5,8 +5,7 @@
 // Paper: section 5.1.  Book: chapter 10.
 // Units: metres, in the frame of the points (the world's).
 
-#ifndef TUMBLE_SEARCH_H
-#define TUMBLE_SEARCH_H
+#pragma once
 
 #include "climb.h"
 //<
@@ -33,6 +32,4 @@ typedef struct {
 // Requires: both hulls in range (hull_in_range).
 bool search_apart(const hull_mesh *a, const hull_mesh *b, real margin,
                   separating_axis *carried);
-
-#endif
 //<

@@ -8,8 +8,7 @@
 // Book: chapter 15.
 // Units: metres; time as a fraction of the displacement, 0 to 1.
 
-#ifndef TUMBLE_SWEPT_H
-#define TUMBLE_SWEPT_H
+#pragma once
 
 #include "body.h"
 #include "gjk.h"
@@ -81,6 +80,4 @@ swept_result swept_turning(hull a, const swept_motion *of_a, hull b,
 // The radius (m) of the largest sphere about the origin of a rigid shape that
 // lies inside it; 0 for a shape that has no inside.
 real shape_inner(const shape *s);
-
-#endif
 //<

@@ -4,8 +4,7 @@
 //
 // Paper: not in it.  Book: chapter 13.  Units: radians.
 
-#ifndef TUMBLE_ARCTAN_H
-#define TUMBLE_ARCTAN_H
+#pragma once
 
 #include "vec3.h"
 
@@ -31,6 +30,4 @@ static inline real real_angle(real x, real y)
     if (x < 0) t = 2 * quarter - t;
     return y < 0 ? -t : t;
 }
-
-#endif
 //<

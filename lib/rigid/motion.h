@@ -7,8 +7,7 @@
 // Paper: not asked; a body there moves particle by particle.  Book: chapter 13.
 // Units: metres, kilograms, seconds.  Frame: the world's.
 
-#ifndef TUMBLE_MOTION_H
-#define TUMBLE_MOTION_H
+#pragma once
 
 #include "rigid4.h"
 
@@ -31,7 +30,7 @@ extern const motion_basis MOTION_IMMOVABLE;
 // A velocity (m/s and kg^(1/2) m/s), or a displacement (m and kg^(1/2) m).
 // Its address is a multiple of 16 bytes, which real4_gather2 needs and malloc gives.
 // It is as large as a cache line, so in a table that begins with a line, as those of
-// table_grow_aligned do, no motion lies on two lines.
+// table_grow do, no motion lies on two lines.
 enum { MOTION_TURN = 3, MOTIONS = 6, MOTION_LINE = 8 };
 
 typedef struct {
@@ -176,9 +175,4 @@ void motion_write(particle *p, const rigid_frame *frame,
 // The frame of a body after a displacement d from this one.
 rigid_frame motion_frame(const rigid_frame *frame, const motion_basis *basis,
                          const motion *d);
-//<
-
-//> motion-end-of-header
-//>   The header ends.
-#endif
 //<

@@ -163,13 +163,6 @@ static void find_axes(real root[3][3], vec3 axis[AXES])
 //<
 
 //> rigid4-build
-// Does 1, 2, 3 turn right, as seen from 0?
-static int turns_right(vec3 x0, vec3 x1, vec3 x2, vec3 x3)
-{
-    vec3 a = vec3_sub(x1, x0), b = vec3_sub(x2, x0), c = vec3_sub(x3, x0);
-    return vec3_dot(a, vec3_cross(b, c)) > 0;
-}
-
 static void place_four(rigid4 *f, const shape *s, const rigid_solid *q,
                        const vec3 axis[AXES])
 {
@@ -189,7 +182,6 @@ static void place_four(rigid4 *f, const shape *s, const rigid_solid *q,
                 vec3_distance(f->at[a], f->at[b]), 1, STICK_EXACT };
     for (int i = 0; i < AXES; i++)
         f->square[i] = vec3_length_squared(axis[i]);
-    f->turns_right = turns_right(f->at[0], f->at[1], f->at[2], f->at[3]);
 }
 
 // 1/(kg m^2)
@@ -268,12 +260,6 @@ status rigid4_build(rigid4 *f, const shape *s)
 void rigid4_ride(const rigid4 *f, const rigid_frame *frame, vec3 *at, int n)
 {
     for (int v = 0; v < n; v++) at[v] = frame_point(frame, f->local[v]);
-}
-
-int rigid4_is_mirrored(const rigid4 *f, const particle *p)
-{
-    return turns_right(p[0].position, p[1].position, p[2].position,
-                       p[3].position) != f->turns_right;
 }
 //<
 

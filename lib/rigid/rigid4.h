@@ -8,8 +8,7 @@
 // Book: chapter 13.
 // Units: metres, kilograms.
 
-#ifndef TUMBLE_RIGID4_H
-#define TUMBLE_RIGID4_H
+#pragma once
 
 #include "body.h"
 
@@ -33,7 +32,6 @@ typedef struct rigid4 {
     real  reach;            // m, the body's largest distance from it
     struct stick stick[FOUR_STICKS];        // every pair
     real  square[FOUR_AXES];        // m^2, of the frame's vectors
-    int   turns_right;      // particles 1, 2, 3 at rest turn right as seen from 0
     int   round_axes;       // about how many axes of the frame it is round: 0, 1 (axis
                             // 1), or 3
     vec3 *local;            // [shape->particles] coordinates of the vertices: each is
@@ -123,14 +121,4 @@ static inline vec3 rigid4_lean(const rigid4 *f, const rigid_frame *frame,
 
 // Where the n vertices are in this frame.
 void rigid4_ride(const rigid4 *f, const rigid_frame *frame, vec3 *at, int n);
-//<
-
-//> rigid4-mirror-declare
-// Are the particles a mirror image of those at rest?  No stick can tell.
-int rigid4_is_mirrored(const rigid4 *f, const particle *p);
-//<
-
-//> rigid4-end
-//>   The header ends.
-#endif
 //<

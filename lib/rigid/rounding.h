@@ -5,8 +5,7 @@
 // Paper: no such bodies.  Book: chapter 13.
 // Units: metres, kilograms.
 
-#ifndef TUMBLE_ROUNDING_H
-#define TUMBLE_ROUNDING_H
+#pragma once
 
 #include "weight.h"
 
@@ -16,6 +15,4 @@
 // rigid, the radius is out of range, there are more than 16,384 points to draw, or
 // memory is refused.
 status shape_round(shape *s, const shape *of, real radius);
-
-#endif
 //<

@@ -17,24 +17,15 @@ static void *copy_of(const void *from, int count, size_t size, status *done)
     else    *done = status_out_of_memory();
     return to;
 }
-#define COPY(s, of, member, count) ((s)->member = \
-    copy_of((of)->member, count, sizeof *(of)->member, &done))
 
 status weight_copy(shape *s, const shape *of)
 {
     status done = status_ok();
-    const mesh *m = &of->mesh;
     *s = *of;
-    COPY(s, of, at, of->particles);
-    COPY(s, of, mass, of->particles);
-    COPY(s, of, stick, of->sticks);
-    COPY(s, of, angle, of->angles);
-    COPY(s, of, face, 3 * m->faces);
-    COPY(s, of, mesh.half, 2 * m->edges);
-    COPY(s, of, mesh.vertex_half, m->vertices);
-    COPY(s, of, mesh.face_half, m->faces);
-    COPY(s, of, skin.at, of->skin.points);
-    COPY(s, of, skin.face, 3 * of->skin.faces);
+#define COPY(table, count) \
+    s->table = copy_of(of->table, count, sizeof *of->table, &done);
+    SHAPE_TABLES(COPY, of)
+#undef COPY
     if (!done.ok) shape_free(s);
     return done;
 }
@@ -113,13 +104,12 @@ status weight_set(shape *s, const shape *of, real mass, vec3 center,
     struct weight own = { .mass = mass, .center = center };
     if (of->kind != SHAPE_RIGID)
         return status_fail("only a rigid shape has a weight of its own");
-    if (!(mass >= 1e-30 && mass <= 1e30))
-        return status_fail("the mass is %g kg: it must be a number from 1e-30 "
-                           "to 1e+30", mass);
+    status done = size_check("mass", mass, "kg");
+    if (!done.ok) return done;
     if (!is_inside(of, center))
         return status_fail("the centre of mass (%g, %g, %g) is not inside the "
                            "shape", center.x, center.y, center.z);
-    status done = check_moments(inertia, mass, own.spread);
+    done = check_moments(inertia, mass, own.spread);
     if (done.ok) done = weight_copy(s, of);
     if (!done.ok) return done;
     s->own = own;

@@ -2,11 +2,11 @@
 //>   A drum with a stone in it is no evenly filled drum.
 // weight.h - rigid shapes that are not evenly filled.
 //
-// Paper: not asked; the mass of a body there is that of its particles.  Book: chapter
-// 13.  Units: metres, kilograms.  Frame: the shape's.
+// Paper: not asked; the mass of a body there is that of its particles.
+// Book: chapter 13.
+// Units: metres, kilograms.  Frame: the shape's.
 
-#ifndef TUMBLE_WEIGHT_H
-#define TUMBLE_WEIGHT_H
+#pragma once
 
 #include "rigid4.h"
 #include "scene.h"
@@ -17,6 +17,16 @@ static inline vec3 placement_vector(const placement *at, vec3 r)
     return vec3_add(vec3_scale(r.x, at->x),
            vec3_add(vec3_scale(r.y, at->y), vec3_scale(r.z, at->z)));
 }
+
+// All tables of a shape, and how many elements each has: for what copies or saves
+// them.
+#define SHAPE_TABLES(TABLE, s)                                                \
+    TABLE(at, (s)->particles) TABLE(mass, (s)->particles)                     \
+    TABLE(stick, (s)->sticks) TABLE(angle, (s)->angles)                       \
+    TABLE(face, 3 * (s)->mesh.faces) TABLE(mesh.half, 2 * (s)->mesh.edges)    \
+    TABLE(mesh.vertex_half, (s)->mesh.vertices)                               \
+    TABLE(mesh.face_half, (s)->mesh.faces) TABLE(skin.at, (s)->skin.points)   \
+    TABLE(skin.face, 3 * (s)->skin.faces)
 
 // Copies a shape.  Fails, leaving *s empty, if memory is refused.
 status weight_copy(shape *s, const shape *of);
@@ -40,6 +50,4 @@ void weight_reach(struct weight *whole, const shape *piece, const placement *at)
 // body.  Fails as weight_copy does.
 status weight_piece(shape *s, const shape *piece, const placement *at,
                     const struct weight *whole);
-
-#endif
 //<

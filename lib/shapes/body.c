@@ -14,7 +14,7 @@ static const real LEAST = 1e-30;
 static const real MOST  = 1e30;
 
 // A NaN is not in the range either: no comparison with it holds.
-static status check_quantity(const char *name, real value, const char *unit)
+status size_check(const char *name, real value, const char *unit)
 {
     if (value >= LEAST && value <= MOST) return status_ok();
     return status_fail("the %s is %g %s: it must be a number from %g to %g",
@@ -36,7 +36,7 @@ status shape_begin(shape *s, shape_kind kind, int particles, int most_sticks,
 {
     assert(s && particles >= 1 && most_sticks >= 0);
     *s = (shape){ .kind = kind, .particles = particles };
-    status r = check_quantity("mass", mass, "kg");
+    status r = size_check("mass", mass, "kg");
     if (!r.ok) return r;
     s->at    = calloc((size_t)particles, sizeof *s->at);
     s->mass  = calloc((size_t)particles, sizeof *s->mass);
@@ -119,7 +119,7 @@ status shape_finish(shape *s, status so_far)
     if (so_far.ok) so_far = check_sticks(s);
     if (so_far.ok) {
         measure_shape(s);
-        so_far = check_quantity("radius", s->radius, "m");
+        so_far = size_check("radius", s->radius, "m");
     }
     if (!so_far.ok) shape_free(s);
     return so_far;
@@ -157,9 +157,9 @@ static const int BOX[12][3] = {
 
 static status check_sides(vec3 sides)
 {
-    status r = check_quantity("side along x", sides.x, "m");
-    if (r.ok) r = check_quantity("side along y", sides.y, "m");
-    return r.ok ? check_quantity("side along z", sides.z, "m") : r;
+    status r = size_check("side along x", sides.x, "m");
+    if (r.ok) r = size_check("side along y", sides.y, "m");
+    return r.ok ? size_check("side along z", sides.z, "m") : r;
 }
 
 status shape_box(shape *s, vec3 sides, real mass)
@@ -210,7 +210,7 @@ static void place_icosahedron(vec3 *at, real radius)
 status shape_icosahedron(shape *s, real radius, real mass)
 {
     status r = shape_begin(s, SHAPE_RIGID, 12, 30 + 6, mass);
-    if (r.ok) r = check_quantity("radius", radius, "m");
+    if (r.ok) r = size_check("radius", radius, "m");
     if (r.ok) r = shape_span(s, ICOSAHEDRON, 20);
     if (!r.ok) return shape_finish(s, r);
 
@@ -230,7 +230,7 @@ status shape_rope(shape *s, int n, real length, real mass)
 {
     *s = (shape){ .kind = SHAPE_ROPE };
     status r = check_count("links", n, 1, 1000000);
-    if (r.ok) r = check_quantity("length", length, "m");
+    if (r.ok) r = size_check("length", length, "m");
     if (r.ok) r = shape_begin(s, SHAPE_ROPE, n + 1, n, mass);
     if (!r.ok) return shape_finish(s, r);
 
@@ -311,8 +311,8 @@ static status check_cloth(int columns, int rows, real width, real depth,
 {
     status r = check_count("columns", columns, 2, 2048);
     if (r.ok) r = check_count("rows", rows, 2, 2048);
-    if (r.ok) r = check_quantity("width", width, "m");
-    if (r.ok) r = check_quantity("depth", depth, "m");
+    if (r.ok) r = size_check("width", width, "m");
+    if (r.ok) r = size_check("depth", depth, "m");
     if (r.ok && !(diagonal > 0 && diagonal <= 1))
         r = status_fail("the stiffness of the diagonals is %g: it must be "
                         "above 0 and at most 1", diagonal);

@@ -7,8 +7,7 @@
 // A shape describes a body at rest, in a frame of its own whose origin is the
 // centre of mass.  Many bodies can share one shape.  Units: metres, kilograms.
 
-#ifndef TUMBLE_BODY_H
-#define TUMBLE_BODY_H
+#pragma once
 
 #include "constraint.h"
 #include "mesh.h"
@@ -89,6 +88,10 @@ status shape_cloth(shape *s, int columns, int rows, real width, real depth,
 
 //> body-declare-make
 //>   Other modules make shapes of their own, from these parts.
+// Fails unless the value is a number from 1e-30 to 1e30; name and unit are for the
+// sentence.
+status size_check(const char *name, real value, const char *unit);
+
 // To make a shape of one's own: begin, fill s->at, span a mesh (or none), add
 // sticks, finish.  shape_begin gives all particles the same mass, and
 // room for most_sticks.  Requires: particles >= 1, most_sticks >= 0.
@@ -118,6 +121,4 @@ void shape_free(shape *s);      // an empty or zeroed shape is fine
 
 // What is drawn of it: its skin, or its particles and their mesh.
 struct skin shape_skin(const shape *s);
-
-#endif
 //<

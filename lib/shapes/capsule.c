@@ -81,13 +81,6 @@ static status make_skin(struct skin *k, real half, real radius)
 //> round-make
 //>   Mass and inertia are those of the solid, so that chapter 13 can build its
 //>   four particles.
-status size_check(const char *name, real value, const char *unit)
-{
-    if (value >= 1e-30 && value <= 1e30) return status_ok();
-    return status_fail("the %s is %g %s: it must be a number from 1e-30 to "
-                       "1e+30", name, value, unit);
-}
-
 // A core of two particles is an edge with nothing on either side.
 void capsule_join_core(mesh *m)
 {

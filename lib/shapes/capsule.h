@@ -5,8 +5,7 @@
 // Book: chapter 10.
 // Units: metres, kilograms.
 
-#ifndef TUMBLE_CAPSULE_H
-#define TUMBLE_CAPSULE_H
+#pragma once
 
 #include "body.h"
 
@@ -14,9 +13,6 @@
 // What is no further from it than the radius is the body.  The mass is spread
 // evenly in it.  A function that makes a shape fails, and leaves *s empty, if a
 // number is not from 1e-30 to 1e30, or memory is refused.
-
-// Fails unless it is such a number; name and unit are for the sentence.
-status size_check(const char *name, real value, const char *unit);
 
 // A ball around the origin.
 status shape_sphere(shape *s, real radius, real mass);
@@ -27,6 +23,4 @@ void capsule_join_core(mesh *m);
 // All points within radius of a segment of this length, which lies along y
 // with its middle in the origin: a rod whose ends are half balls.
 status shape_capsule(shape *s, real length, real radius, real mass);
-
-#endif
 //<

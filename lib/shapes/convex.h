@@ -4,8 +4,7 @@
 // Paper: section 4, last paragraph.  Book: chapter 3.
 // Units: metres, kilograms.
 
-#ifndef TUMBLE_CONVEX_H
-#define TUMBLE_CONVEX_H
+#pragma once
 
 #include "body.h"
 
@@ -25,6 +24,4 @@ status mesh_check_convex(const struct mesh *m, const vec3 *at);
 // vertices, a number is out of range, or memory is refused.
 status shape_convex(shape *s, int vertices, const vec3 *at,
                     int faces, const int (*triangle)[3], real mass);
-
-#endif
 //<

@@ -4,8 +4,7 @@
 // Paper: no such bodies.  Book: chapter 10.
 // Units: metres, kilograms.
 
-#ifndef TUMBLE_CYLINDER_H
-#define TUMBLE_CYLINDER_H
+#pragma once
 
 #include "capsule.h"
 #include "convex.h"
@@ -18,6 +17,4 @@
 // memory is refused.
 enum { CYLINDER_SIDES = 32 };
 status shape_cylinder(shape *s, real length, real radius, real mass);
-
-#endif
 //<

@@ -4,8 +4,7 @@
 //
 // Paper: section 5.1, the features of the hit face.  Book: chapter 5.
 
-#ifndef TUMBLE_FEATURE_H
-#define TUMBLE_FEATURE_H
+#pragma once
 
 #include "vec3.h"
 
@@ -30,6 +29,4 @@ void feature_add(feature_point *f, int vertex, real weight);
 
 // The point itself, in the frame of `at`, the positions of all vertices.
 vec3 feature_at(const feature_point *f, const vec3 *at);
-
-#endif
 //<

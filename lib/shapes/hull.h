@@ -6,8 +6,7 @@
 // Quickhull (Barber, Dobkin and Huhdanpaa 1996).
 // Units: metres, kilograms.
 
-#ifndef TUMBLE_HULL_H
-#define TUMBLE_HULL_H
+#pragma once
 
 #include "convex.h"
 
@@ -22,6 +21,4 @@
 // line or in one plane (or thinner than a millionth of the size), a number out
 // of range or not finite, more than 16,384 vertices, no memory.
 status shape_hull(shape *s, const vec3 *at, int n, real mass);
-
-#endif
 //<

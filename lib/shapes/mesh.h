@@ -4,8 +4,7 @@
 // Paper: section 4 (the half-edge structure of Mantyla).  Book: chapter 3.
 // A mesh holds no positions: it stays the same while the body moves.
 
-#ifndef TUMBLE_MESH_H
-#define TUMBLE_MESH_H
+#pragma once
 
 #include "status.h"
 #include "vec3.h"
@@ -59,6 +58,4 @@ real mesh_volume(const mesh *m, const vec3 *at);
 // vertex, sizes that overflow, no memory.
 status mesh_build(mesh *m, int vertices, const int (*triangle)[3], int faces);
 void   mesh_free(mesh *m);      // an empty or zeroed mesh is fine
-
-#endif
 //<

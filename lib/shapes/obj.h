@@ -7,8 +7,7 @@
 // order.  A backslash at the end of a line joins it to the next.  All other
 // lines are ignored.
 
-#ifndef TUMBLE_OBJ_H
-#define TUMBLE_OBJ_H
+#pragma once
 
 #include "body.h"
 
@@ -21,6 +20,4 @@
 // why: cannot open, not a number, index out of range, no face, open,
 // non-manifold, flat, not convex, more than 4096 vertices, more than 16 MB.
 status obj_read(const char *path, real radius, real mass, shape *s);
-
-#endif
 //<

@@ -3,8 +3,7 @@
 //
 // Book: chapter 3.
 
-#ifndef TUMBLE_RIGIDITY_H
-#define TUMBLE_RIGIDITY_H
+#pragma once
 
 #include "body.h"
 
@@ -12,6 +11,4 @@
 // if and only if the n particles have no infinitesimal motion left but those of
 // a rigid body.  -1 if memory is refused.
 int shape_rank(const shape *s);
-
-#endif
 //<

@@ -4,8 +4,7 @@
 // Paper: not asked.  Book: chapter 12.
 // Units: metres, kilograms, seconds, joules.
 
-#ifndef TUMBLE_BEND_H
-#define TUMBLE_BEND_H
+#pragma once
 
 #include "line.h"
 
@@ -32,6 +31,4 @@ void bend_relax(const shape *s, real stiffness, particle *p, real h,
 
 // J, what is stored in the bends.
 real bend_energy(const shape *s, real stiffness, const particle *p);
-
-#endif
 //<

@@ -11,8 +11,7 @@
 // And a patch that a projection spreads out at both ends does not meet itself.
 // Units: metres, seconds, in the world's frame.
 
-#ifndef TUMBLE_CERTIFICATE_H
-#define TUMBLE_CERTIFICATE_H
+#pragma once
 
 #include "near.h"
 //<
@@ -160,6 +159,4 @@ bool certificate_is_cut(const certificate *c, const body *soft);
 // A particle has been moved at the end of a way: that is a part of all of it.
 void certificate_carry(const certificate *c, const soft_frame *f, particle *p,
                        vec3 by);
-
-#endif
 //<

@@ -6,8 +6,7 @@
 // Book: chapter 16.
 // Units: metres, in the world's frame.
 
-#ifndef TUMBLE_FACET_H
-#define TUMBLE_FACET_H
+#pragma once
 
 #include "obstacle.h"
 
@@ -45,6 +44,4 @@ static inline real facet_height(const vec3 end[FACET], plane p)
 // is to leave.  Corners that are not finite are near nothing.
 bool facet_nearest(const obstacle *b, const vec3 end[FACET], plane *between,
                    real reach, facet_touch *out);
-
-#endif
 //<

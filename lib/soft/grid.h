@@ -4,8 +4,7 @@
 // Paper: section 5.2 asks a tree.  Book: chapter 14.
 // Units: metres.
 
-#ifndef TUMBLE_GRID_H
-#define TUMBLE_GRID_H
+#pragma once
 
 #include "sphere_tree.h"
 
@@ -41,6 +40,4 @@ void   grid_free(grid *g);      // an empty or zeroed one is fine
 // far from the others that the cells would have to be wide, or is not finite.
 int grid_pairs(grid *g, const vec3 *at, int n, real reach, int columns,
                leaf_pair *out, int capacity);
-
-#endif
 //<

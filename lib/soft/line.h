@@ -9,8 +9,7 @@
 // Book: chapter 12.
 // Units: metres, inverse masses in 1/kg.
 
-#ifndef TUMBLE_LINE_H
-#define TUMBLE_LINE_H
+#pragma once
 
 #include "body.h"
 
@@ -124,6 +123,4 @@ line_result line_solve(strands s, particle *p, int steps,
 line_result lines_relax(const shape *s, particle *p, int fewest, int sweeps,
                         relax_options options, line_hold *hold, real give,
                         line_scratch *scratch);
-
-#endif
 //<

@@ -8,8 +8,7 @@
 // neighbour list of Verlet 1967).  In between a substep only reads the lists.
 // Units: metres, seconds, kilograms, in the world's frame.
 
-#ifndef TUMBLE_NEAR_H
-#define TUMBLE_NEAR_H
+#pragma once
 
 #include "aabb_tree.h"
 #include "placed.h"
@@ -198,6 +197,4 @@ real soft_gap(const body *soft, const body *rigid);
 // m, how far triangles and links of `soft` are kept from the edges and corners
 // of `rigid`.
 real facet_gap(const body *soft, const body *rigid);
-
-#endif
 //<

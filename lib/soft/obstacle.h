@@ -8,8 +8,7 @@
 // Paper: sections 5.1 and 6.1.  Book: chapter 16.
 // Units: metres, in the world's frame.
 
-#ifndef TUMBLE_OBSTACLE_H
-#define TUMBLE_OBSTACLE_H
+#pragma once
 
 #include "body.h"
 #include "gjk.h"
@@ -65,6 +64,4 @@ bool obstacle_nearest(const obstacle *b, vec3 x, int ahead, real reach,
 // the number of a plane of the body that is asked first; it receives another.
 // What is not finite meets nothing.
 bool obstacle_is_apart(const obstacle *b, const vec3 *at, int count, int *ahead);
-
-#endif
 //<

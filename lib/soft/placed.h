@@ -5,8 +5,7 @@
 // Book: chapter 16.
 // Units: metres, seconds, kilograms.
 
-#ifndef TUMBLE_PLACED_H
-#define TUMBLE_PLACED_H
+#pragma once
 
 #include "body.h"
 #include "line.h"
@@ -109,6 +108,4 @@ typedef struct {
     int soft, rigid;
     int pins;
 } body_tie;
-
-#endif
 //<

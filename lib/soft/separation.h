@@ -6,8 +6,7 @@
 // Paper: section 6.1.  Book: chapter 16.
 // Units: metres, kilograms.  Every normal is a unit vector from B to A.
 
-#ifndef TUMBLE_SEPARATION_H
-#define TUMBLE_SEPARATION_H
+#pragma once
 
 #include "verlet.h"
 
@@ -41,6 +40,4 @@ real particle_contact_separate(particle_contact c, particle *p, real friction);
 // the surface).  Returns the overlap before (m, >= 0); a pinned p stays.
 real surface_separate(particle *p, vec3 foot, vec3 normal, real distance,
                       real friction);
-
-#endif
 //<

@@ -3,8 +3,7 @@
 //
 // Paper: sections 5.2 and 6.1.  Book: chapter 16.
 
-#ifndef TUMBLE_SOFT_H
-#define TUMBLE_SOFT_H
+#pragma once
 
 #include "bend.h"
 #include "certificate.h"
@@ -102,6 +101,4 @@ void soft_certify(soft_solver *s, const soft_frame *f);
 // How many deformable bodies that must not give have strands off by more than
 // a hundredth, are deep in what they began in, or are cut by a rigid body.
 int soft_unconverged(const soft_solver *s, const soft_frame *f);
-
-#endif
 //<

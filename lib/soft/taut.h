@@ -4,8 +4,7 @@
 // Paper: nothing.  Book: chapter 12.
 // Units: metres, inverse masses in 1/kg.
 
-#ifndef TUMBLE_TAUT_H
-#define TUMBLE_TAUT_H
+#pragma once
 
 #include "vec3.h"
 
@@ -29,6 +28,4 @@ real taut_most(real inverse_mass, int directions);
 // Each link pulls its two ends together by its stiffness times the vector
 // between them as it is afterwards.  room: [4 * particles], for its own use.
 void taut_step(taut_string s, real *room);
-
-#endif
 //<

@@ -3,8 +3,7 @@
 //
 // Paper: section 5.2 and the end of 6.1.  Book: chapter 16.
 
-#ifndef TUMBLE_TOUCH_H
-#define TUMBLE_TOUCH_H
+#pragma once
 
 #include "near.h"
 //<
@@ -30,6 +29,4 @@ int touch_facets(near_lists *l, rigid_view *v, const soft_frame *f, answering wh
 
 // Does all of the deformable body a keep its distance from the rigid body b?
 bool touch_is_clear(rigid_view *v, const soft_frame *f, int a, int b);
-
-#endif
 //<

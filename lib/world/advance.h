@@ -7,8 +7,7 @@
 // displacement is only summed up (rigid.moved) until it is too large for its rows.
 // Units: metres, seconds, radians.
 
-#ifndef TUMBLE_ADVANCE_H
-#define TUMBLE_ADVANCE_H
+#pragma once
 
 #include "world.h"
 //<
@@ -46,6 +45,4 @@ int advance_end(world *w);
 
 // Writes the bodies to their particles.
 void advance_write(world *w);
-
-#endif
 //<

@@ -6,8 +6,7 @@
 // Paper: bodies move, then overlaps are looked for.  Book: chapter 18.
 // Units: metres, seconds, radians.
 
-#ifndef TUMBLE_AHEAD_H
-#define TUMBLE_AHEAD_H
+#pragma once
 
 #include "world.h"
 
@@ -23,6 +22,4 @@ cache_frame ahead_frame(const world *w);
 // that have turned so far that other points of them may touch by now.  Each contact is
 // found at most once a substep.
 void ahead_again(world *w, const solver_frame *f, real left);
-
-#endif
 //<

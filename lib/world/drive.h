@@ -7,8 +7,7 @@
 // case of their own.
 // Units: metres, seconds.
 
-#ifndef TUMBLE_DRIVE_H
-#define TUMBLE_DRIVE_H
+#pragma once
 
 #include "world.h"
 //<
@@ -29,6 +28,4 @@ void drive_back(world *w, int b);
 
 // m/s: no point of a driven body is faster.
 real drive_fastest(const world *w);
-
-#endif
 //<

@@ -3,8 +3,7 @@
 //
 // Paper: not asked.  Book: chapter 18.
 
-#ifndef TUMBLE_GUARD_H
-#define TUMBLE_GUARD_H
+#pragma once
 
 #include "world.h"
 
@@ -29,6 +28,4 @@ void guard_bodies(world *w);
 // Stops centres of mass that would go behind a plane, or further behind it than they
 // were, and those that would go in through a face of a surface.
 void guard_walls(world *w);
-
-#endif
 //<

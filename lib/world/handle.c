@@ -314,46 +314,39 @@ status world_set_damping(world *w, int b, real damping, real spin_damping)
 }
 //<
 
-//> handle-kinematic
-// To the books it has no mass: what it gives comes from outside.
-void world_set_kinematic(world *w, int b, bool is_kinematic)
+//> handle-kind
+//>   A body becomes dynamic, static or kinematic.
+static body_kind kind_of(const body *b)
 {
-    assert(b >= 0 && b < w->bodies && !body_is_soft(&w->body[b]));
-    body *x = &w->body[b];
-    if (body_is_static(x) || x->is_kinematic == is_kinematic) return;
-    placement at = world_where(w, b);
-    world_wake_around(w, b);
-    x->is_kinematic = is_kinematic;
-    w->kinematic_bodies += is_kinematic ? 1 : -1;
-    w->dynamic_bodies -= is_kinematic ? 1 : -1;
-    for (int i = x->first; i < x->first + FOUR; i++) {
-        w->pool.at[i].inverse_mass = 1 / x->rigid->mass;
-        w->inverse_mass[i] = is_kinematic ? 0 : 1 / x->rigid->mass;
-    }
-    world_renew(w, b);
-    w->rigid.drive[b] = (body_drive){ .velocity = { 0, 0, 0 } };
-    if (!is_kinematic) world_set_velocity(w, b, at.velocity, at.spin);
+    if (body_is_static(b)) return BODY_STATIC;
+    return b->is_kinematic ? BODY_KINEMATIC : BODY_DYNAMIC;
 }
 
-void world_set_static(world *w, int b, bool is_static)
+// To the books only a dynamic one has a mass: what a kinematic one gives comes from
+// outside.
+void world_set_kind(world *w, int b, body_kind kind)
 {
     assert(b >= 0 && b < w->bodies && !body_is_soft(&w->body[b]));
     body *x = &w->body[b];
-    vec3 none = { 0, 0, 0 };
-    assert(!x->is_kinematic);
-    if (body_is_static(x) == is_static) return;
+    body_kind was = kind_of(x);
+    real inverse = kind == BODY_STATIC ? 0 : 1 / x->rigid->mass;
+    if (kind == was) return;
+    placement at = world_where(w, b);
     world_wake_around(w, b);
-    real inverse = is_static ? 0 : 1 / x->rigid->mass;
-    x->mass = is_static ? HUGE_VAL : FOUR * x->rigid->mass;
-    w->dynamic_bodies += is_static ? -1 : 1;
+    w->kinematic_bodies += (kind == BODY_KINEMATIC) - (was == BODY_KINEMATIC);
+    w->dynamic_bodies += (kind == BODY_DYNAMIC) - (was == BODY_DYNAMIC);
+    x->is_kinematic = kind == BODY_KINEMATIC;
+    x->mass = kind == BODY_STATIC ? HUGE_VAL : FOUR * x->rigid->mass;
     for (int i = x->first; i < x->first + FOUR; i++) {
         particle *p = &w->pool.at[i];
-        p->inverse_mass = w->inverse_mass[i] = inverse;
+        p->inverse_mass = inverse;
         p->previous = p->position;
+        w->inverse_mass[i] = kind == BODY_DYNAMIC ? inverse : 0;
     }
-    w->rigid.age[b] = w->age;
+    if (was == BODY_STATIC || kind == BODY_STATIC) w->rigid.age[b] = w->age;
     world_renew(w, b);
-    world_set_velocity(w, b, none, none);
+    w->rigid.drive[b] = (body_drive){ .velocity = { 0, 0, 0 } };
+    if (kind == BODY_DYNAMIC) world_set_velocity(w, b, at.velocity, at.spin);
 }
 
 void world_set_filter(world *w, int b, unsigned group, unsigned mask)

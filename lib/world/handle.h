@@ -10,8 +10,7 @@
 //
 // A body that is changed from outside wakes, with all bodies that sleep with it.
 
-#ifndef TUMBLE_HANDLE_H
-#define TUMBLE_HANDLE_H
+#pragma once
 
 #include "world.h"
 //<
@@ -33,11 +32,14 @@ status world_put(world *w, int b, placement where);
 // kinematic body keeps them.  Does nothing to a static one.
 void world_set_velocity(world *w, int b, vec3 velocity, vec3 spin);
 
-// Makes a rigid body that is not static kinematic, at rest; or dynamic again, with the
-// velocity that it has.  Only world_set_velocity changes the velocity of a kinematic
-// body: it pushes what it meets, carries what lies on it, and moves through static
-// bodies.
-void world_set_kinematic(world *w, int b, bool is_kinematic);
+// In the order of tumble_kind.
+typedef enum { BODY_DYNAMIC, BODY_STATIC, BODY_KINEMATIC } body_kind;
+
+// Gives a rigid body another kind, where it is.  One that was kinematic and becomes
+// dynamic keeps its velocity; else it is at rest.  Only world_set_velocity changes the
+// velocity of a kinematic body: it pushes what it meets, carries what lies on it, and
+// moves through static bodies.  Bodies that lie on it, or are joined to it, wake.
+void world_set_kind(world *w, int b, body_kind kind);
 
 // Sets gravity (m/s^2) from now on.  All bodies wake, and keep their velocities.
 void world_set_gravity(world *w, vec3 gravity);
@@ -46,10 +48,6 @@ void world_set_gravity(world *w, vec3 gravity);
 // wakes, and keeps its velocity.  Fails, changing nothing, if it is not finite, or
 // beyond -1000 and 1000.
 status world_set_gravity_scale(world *w, int b, real scale);
-
-// Makes a rigid body static, where it is; or dynamic again, at rest.  Requires: it is
-// not kinematic.  Bodies that lie on it, or are joined to it, wake.
-void world_set_static(world *w, int b, bool is_static);
 
 // Gives a rigid body an impulse (N s) at a point of the world, now.  Does nothing to a
 // static or kinematic one.
@@ -93,6 +91,4 @@ void world_set_family(world *w, int b, int family);
 // Puts body b to sleep where it is, and removes the forces that were set.  Does nothing
 // to a static one.
 void world_sleep(world *w, int b);
-
-#endif
 //<

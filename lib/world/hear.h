@@ -5,8 +5,7 @@
 //
 // Book: chapter 18.  Units: newtons, seconds, metres.
 
-#ifndef TUMBLE_HEAR_H
-#define TUMBLE_HEAR_H
+#pragma once
 
 #include "world.h"
 
@@ -18,6 +17,4 @@ void hear_contacts(world *w);
 
 // Removes the contacts of this part of a frame that options.host.meets refuses.
 void hear_choose(world *w);
-
-#endif
 //<

@@ -5,8 +5,7 @@
 //
 // Book: chapter 17.
 
-#ifndef TUMBLE_JOIN_H
-#define TUMBLE_JOIN_H
+#pragma once
 
 #include "actuator.h"
 #include "world.h"
@@ -76,6 +75,4 @@ void join_islands_of_joints(world *w);
 
 // After the substeps: linkage_unites may be called.
 void join_unite(world *w);
-
-#endif
 //<

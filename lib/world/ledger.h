@@ -8,8 +8,7 @@
 // Paper: not asked.  Book: chapter 18.
 // Units: joules, kg m/s, kg m^2/s about the origin, in the world's frame.
 
-#ifndef TUMBLE_LEDGER_H
-#define TUMBLE_LEDGER_H
+#pragma once
 
 #include "world.h"
 //<
@@ -42,9 +41,4 @@ void ledger_rewind(world *w, const ledger_page *to);
 // Says how long (s) ago the bodies that are awake were in the middle of the move that
 // their velocities are of; 0: as their particles say.
 void ledger_halfway(world *w, real seconds);
-//<
-
-//> ledger-end
-//>   The header ends.
-#endif
 //<

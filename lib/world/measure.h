@@ -7,8 +7,7 @@
 // Paper: section 7 measures time only.  Book: chapter 18.
 // Units: metres, kilograms, seconds, joules, in the world's frame.
 
-#ifndef TUMBLE_MEASURE_H
-#define TUMBLE_MEASURE_H
+#pragma once
 
 #include "world.h"
 //<
@@ -38,6 +37,4 @@ measures world_measure(const world *w);
 // FNV-1a over the bytes of all positions: equal bits, equal hash, between
 // machines that store numbers in the same order of bytes.
 unsigned long long world_hash(const world *w);
-
-#endif
 //<

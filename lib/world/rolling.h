@@ -3,8 +3,7 @@
 //
 // Paper: nothing rolls there.  Book: chapter 18.
 
-#ifndef TUMBLE_ROLLING_H
-#define TUMBLE_ROLLING_H
+#pragma once
 
 #include "world.h"
 
@@ -16,6 +15,4 @@
 // the same torque, unless there is no friction.  In a world without sleep nothing is
 // braked.  Call it after the substeps of a frame.
 void rolling_brake(world *w);
-
-#endif
 //<

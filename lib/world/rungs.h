@@ -8,8 +8,7 @@
 // Islands with about the same number are solved together, as one rung.  Simulations of
 // stars have such block time steps (Aarseth 1963, McMillan 1986).
 
-#ifndef TUMBLE_RUNGS_H
-#define TUMBLE_RUNGS_H
+#pragma once
 
 #include "world.h"
 
@@ -24,6 +23,4 @@ bool rungs_sweeps(const world *w, int a, int b);
 
 // The island of a, or of b if a does not move; NULL if neither moves.
 island *rungs_island(const world *w, int a, int b);
-
-#endif
 //<

@@ -5,8 +5,7 @@
 // Book: chapter 18.
 // Units: metres, seconds.
 
-#ifndef TUMBLE_SLEEP_H
-#define TUMBLE_SLEEP_H
+#pragma once
 
 #include "status.h"
 #include "verlet.h"
@@ -129,9 +128,4 @@ void sleep_wake(sleep_state *s, int b);
 
 // Forgets what was observed of body b, because it was moved from outside.
 void sleep_forget(sleep_state *s, int b);
-//<
-
-//> sleep-end-of-header
-//>   The header ends.
-#endif
 //<

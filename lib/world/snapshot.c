@@ -1,23 +1,15 @@
 //> snapshot-shape
 //>   A shape is its points, its faces and its sticks.
 #include "snapshot.h"
+#include "weight.h"
 
 #include <stdlib.h>
 
 void shape_store(shape *x, store *s)
 {
-    mesh *m = &x->mesh;
-    STORE_TABLE(s, x->at, x->particles, x->particles);
-    STORE_TABLE(s, x->mass, x->particles, x->particles);
-    STORE_TABLE(s, x->stick, x->sticks, x->sticks);
-    STORE_FORGET(s, x->angle);      // chapter 02's
-    STORE_FORGET(s, x->angles);
-    STORE_TABLE(s, x->face, 3 * m->faces, 3 * m->faces);
-    STORE_TABLE(s, m->half, 2 * m->edges, 2 * m->edges);
-    STORE_TABLE(s, m->vertex_half, m->vertices, m->vertices);
-    STORE_TABLE(s, m->face_half, m->faces, m->faces);
-    STORE_TABLE(s, x->skin.at, x->skin.points, x->skin.points);
-    STORE_TABLE(s, x->skin.face, 3 * x->skin.faces, 3 * x->skin.faces);
+#define WHOLE(table, count) STORE_TABLE(s, x->table, count, count);
+    SHAPE_TABLES(WHOLE, x)
+#undef WHOLE
 }
 //<
 

@@ -6,8 +6,7 @@
 // not listed would be freed twice, which a test notices.  Tables that the next frame
 // reads are listed with their elements, and those that it fills again as room.
 
-#ifndef TUMBLE_SNAPSHOT_H
-#define TUMBLE_SNAPSHOT_H
+#pragma once
 
 #include "store.h"
 #include "world.h"
@@ -22,9 +21,4 @@ void world_store(world *w, store *s);
 
 // The same for the tables of a shape.
 void shape_store(shape *x, store *s);
-//<
-
-//> snapshot-end-of-header
-//>   The header ends.
-#endif
 //<

@@ -5,8 +5,7 @@
 //
 // Book: chapter 18.
 
-#ifndef TUMBLE_SOFT_STEP_H
-#define TUMBLE_SOFT_STEP_H
+#pragma once
 
 #include "world.h"
 //<
@@ -30,6 +29,4 @@ void soft_prove(world *w);
 
 // After the substeps: writes what they did to the report.
 void soft_report(world *w);
-
-#endif
 //<

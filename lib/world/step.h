@@ -5,8 +5,7 @@
 //
 // Paper: sections 5 and 6.  Book: chapter 18.
 
-#ifndef TUMBLE_STEP_H
-#define TUMBLE_STEP_H
+#pragma once
 
 #include "world.h"
 
@@ -14,6 +13,4 @@
 // never fails: a body whose numbers are not finite touches nothing, and contacts that
 // find no memory are counted in w->report.dropped.
 void world_step(world *w);
-
-#endif
 //<

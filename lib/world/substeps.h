@@ -3,8 +3,7 @@
 //
 // Book: chapter 18.
 
-#ifndef TUMBLE_SUBSTEPS_H
-#define TUMBLE_SUBSTEPS_H
+#pragma once
 
 #include "world.h"
 
@@ -23,6 +22,4 @@ int substeps_all(const world *w);
 // good, or there is rope or cloth, which has moved already.  At most
 // options.most_substeps in a frame, beside those that are done again.
 int substeps_again(const world *w, real h, int left);
-
-#endif
 //<

@@ -13,8 +13,7 @@
 // Paper: sections 5 to 7.  Book: chapter 18.
 // Units: metres, seconds, kilograms, joules.  Frame: y points up.
 
-#ifndef TUMBLE_WORLD_H
-#define TUMBLE_WORLD_H
+#pragma once
 
 #include "cache.h"
 #include "linkage.h"
@@ -469,10 +468,4 @@ void   world_vertices(const world *w, const body *b, vec3 *at);
 
 // The same for the points by which it is drawn, see shape_skin.
 void   world_skin(const world *w, const body *b, vec3 *at);
-
-//<
-
-//> world-end-of-header
-//>   The header ends.
-#endif
 //<

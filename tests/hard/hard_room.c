@@ -2,6 +2,7 @@
 
 #include "hard.h"
 #include "random.h"
+#include "shake.h"
 #include "world_scene.h"
 #include "step.h"
 
@@ -56,7 +57,7 @@ static void count_bodies(const world_scene *s, watched *o)
         world_vertices(w, b, at);
         lost += is_lost(at, CORNERS);
         escaped += is_outside(w, at, CORNERS, s->body_radius);
-        mirrored += rigid4_is_mirrored(b->rigid, w->pool.at + b->first);
+        mirrored += is_mirrored(b->rigid, w->pool.at + b->first);
     }
     if (escaped > o->escaped)   o->escaped = escaped;
     if (mirrored > o->mirrored) o->mirrored = mirrored;

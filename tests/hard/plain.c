@@ -9,6 +9,7 @@
 //   hard-plain --head           the head of figures/tables/hard-plain.csv
 //   hard-plain --row 3          what case 3 writes below it; its line: to stderr
 
+#include "experiments.h"
 #include "hard.h"
 #include "hard_set.h"
 #include "hit_face.h"

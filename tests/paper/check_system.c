@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "experiments.h"
 #include "poses.h"
 #include "random.h"
 #include "scarce.h"

@@ -449,7 +449,7 @@ static void try_spin(int i)
                       "angular momentum is off by %g, momentum by %g", turned,
                       drift);
         ck_assert_msg(worst <= OLD.tolerance, "strain %g", worst);
-        ck_assert(!rigid4_is_mirrored(&f, p));
+        ck_assert(!is_mirrored(&f, p));
     }
     rigid4_free(&f);
 }
@@ -479,9 +479,9 @@ START_TEST(mirror_image_is_known)
         expect_ok(rigid4_build(&f, &solid[n % SOLIDS].plan));
         particle p[FOUR];
         stand(p);
-        ck_assert(!rigid4_is_mirrored(&f, p));
+        ck_assert(!is_mirrored(&f, p));
         mirror(p);
-        ck_assert(rigid4_is_mirrored(&f, p));
+        ck_assert(is_mirrored(&f, p));
         ck_assert(worst_strain(p) <= ROUNDING);
         rigid4_free(&f);
     }

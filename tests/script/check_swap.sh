@@ -38,7 +38,7 @@ ours=${BUILD:-build} ours=${ours%/swapped}
 make -s library BUILD="$ours" > "$tree/said" 2>&1 || { cat "$tree/said"; exit 1; }
 mkdir -p "$tree/build/tests" "$tree/build/figures"
 cp -Rp "$ours/lib" "$ours/flags" "$tree/build"
-cp -p "$ours"/tests/check_verlet.o "$ours"/tests/check_constraint.o "$ours"/tests/scarce.o "$ours"/tests/poses.o "$tree/build/tests" 2> /dev/null
+cp -p "$ours"/tests/check_verlet.o "$ours"/tests/check_constraint.o "$ours"/tests/scarce.o "$ours"/tests/poses.o "$ours"/tests/experiments.o "$tree/build/tests" 2> /dev/null
 cp -p "$ours"/figures/*.o "$tree/build/figures" 2> /dev/null
 rm -f "$tree/build/lib/verlet.o" "$tree/build/lib/verlet.d"
 

@@ -68,4 +68,13 @@ static inline shake_result shake(const rigid4 *f, particle *p, int steps,
     return r;
 }
 
+// Do the particles stand as in a mirror?  No stick can tell.
+static inline bool is_mirrored(const rigid4 *f, const particle *p)
+{
+    rigid_frame now = rigid4_frame(p), rest = rigid4_rest(f);
+    real is = vec3_dot(now.axis[0], vec3_cross(now.axis[1], now.axis[2]));
+    real was = vec3_dot(rest.axis[0], vec3_cross(rest.axis[1], rest.axis[2]));
+    return (is > 0) != (was > 0);
+}
+
 #endif

@@ -6,8 +6,8 @@
 #ifndef TUMBLE_WORLD_SCENE_H
 #define TUMBLE_WORLD_SCENE_H
 
+#include "experiments.h"
 #include "measure.h"
-#include "scene.h"
 
 #include <assert.h>
 #include <stddef.h>

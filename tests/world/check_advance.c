@@ -157,7 +157,7 @@ START_TEST(driven_body_is_where_its_clock_says)
 {
     int b = add_at(&rod, 1, 2, 3);
     const real spin = 7, speed = 2;
-    world_set_kinematic(&w, b, true);
+    world_set_kind(&w, b, BODY_KINEMATIC);
     world_set_velocity(&w, b, vec3_make(0, 0, speed), vec3_make(0, spin, 0));
     begin_substeps();
     vec3 arm = vec3_sub(vertex_of(b, 7), vec3_make(1, 2, 3));
@@ -204,7 +204,7 @@ START_TEST(a_substep_that_is_done_again_leaves_bodies_where_they_were)
 {
     static state was[SOME], then[SOME], now[SOME];
     for (int b = 0; b < SOME; b++) add(&brick, anywhere(3, 2, 20));
-    world_set_kinematic(&w, SOME - 1, true);
+    world_set_kind(&w, SOME - 1, BODY_KINEMATIC);
     world_set_velocity(&w, SOME - 1, vec3_make(1, 2, 3), vec3_make(3, 2, 1));
     begin_substeps();
     advance_bodies(&w, 0.002);

@@ -546,7 +546,7 @@ END_TEST
 static int add_driven(const shape *s, vec3 at, vec3 velocity, vec3 spin)
 {
     int b = add_at(s, at.x, at.y, at.z);
-    world_set_kinematic(&w, b, true);
+    world_set_kind(&w, b, BODY_KINEMATIC);
     world_set_velocity(&w, b, velocity, spin);
     return b;
 }
@@ -761,8 +761,8 @@ START_TEST(kinematic_body_goes_through_what_does_not_move)
                        + vec3_length_squared(q.velocity) / 2;
     for (int k = 0; k < LEDGERS; k++) gave += w.ledger[k].energy;
     near(gave, has, 0.06);
-    world_set_kinematic(&w, b, false);
-    world_set_kinematic(&w, other, false);
+    world_set_kind(&w, b, BODY_DYNAMIC);
+    world_set_kind(&w, other, BODY_DYNAMIC);
     near_vec3(world_where(&w, other).velocity, vec3_make(0, 1, 0), 1e-9);
     steps_to_sleep();
     near(world_where(&w, other).position.y, 0.5, 0.01);

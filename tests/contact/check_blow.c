@@ -153,9 +153,9 @@ static void run_engine(void)
 }
 
 // A floor takes it all, through any number of boxes: nothing moves, and each contact
-// has the momentum of what struck, M v.  Its rounding moves a light body, m, by 1e-16 of
-// M v / m, at each of some points, in each of some steps.  Rejects: a blow that ends at the first body, or
-// at the second; a push that goes to one side only.
+// has the momentum of what struck, M v.  Its rounding moves a light body, m, by 1e-16
+// of M v / m, at each of some points, in each of some steps.  Rejects: a blow that
+// ends at the first body, or at the second; a push that goes to one side only.
 START_TEST(blow_goes_through_a_stack_to_the_floor)
 {
     for (int boxes = 2; boxes <= 8; boxes++)
@@ -258,7 +258,7 @@ static real left_by_plain(const plain_blow *x)
 // too few; a row of another body; a gap that is left out.
 START_TEST(blow_ends_as_the_plain_form_does)
 {
-    int blows = 0, joined = 0;
+    int compared = 0, joined = 0;
     for (int n = 0; n < 2000; n++) {
         any_heap(n);
         if (n % 5 == 0) heap.frame.restitution = 0.5 * (n % 10 > 0);
@@ -266,16 +266,16 @@ START_TEST(blow_ends_as_the_plain_form_does)
         plain_blow x = plain_of();
         int hits = plain_blow_stop(&x);
         blow_stop(&solver, &heap.frame, heap.velocity);
-        blows += hits;
+        if (hits > 1) continue;         // a list has the last blow's alone
+        compared += hits;
         for (int i = 0; i < x.touches; i++) joined += x.touch[i].wave > 1;
-        if (hits > 1) continue;
         // Rounding of what meets at up to 5 m/s.
         real e = left_by_plain(&x) + 1e-11;
         real off = difference(), impulses = sum_of_blows() + sum_of_plain(&x);
         ck_assert_msg(off <= e / 2 * impulses, "%d: %g J off", n, off);
         ck_assert_msg(e < 1e-3, "%d: %g m/s are left", n, e);
     }
-    ck_assert_int_ge(blows, 1000);
+    ck_assert_int_ge(compared, 1000);
     ck_assert_int_ge(joined, 3000);
 }
 END_TEST

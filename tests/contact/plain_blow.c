@@ -117,10 +117,8 @@ static bool strikes(const plain_blow *x, const plain_touch *c)
 int plain_blow_stop(plain_blow *x)
 {
     int blows = 0;
-    for (int i = 0; i < x->touches; i++)
-        x->touch[i].begins = strikes(x, &x->touch[i]);
     for (int i = 0; i < x->touches; i++) {
-        if (!x->touch[i].begins || !closes(x, &x->touch[i], x->slowest)) continue;
+        if (!strikes(x, &x->touch[i])) continue;
         for (int j = 0; j < x->touches; j++) {
             x->touch[j].wave = j == i;
             for (int k = 0; k < CONTACT_POINTS; k++) x->touch[j].impulse[k] = 0;

@@ -19,7 +19,6 @@ typedef struct {
     vec3 arm[2][CONTACT_POINTS];    // m, from the centres: impulses act there
     real gap[CONTACT_POINTS];       // m
     bool bounces;                   // it takes part in no blow
-    bool begins;                    // a heavy body struck a light one
     int  wave;                      // of the blow that it joined in; 0: none
     real impulse[CONTACT_POINTS];   // N s, of the blow
 } plain_touch;

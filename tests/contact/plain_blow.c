@@ -78,7 +78,7 @@ static real stop_each(plain_blow *x, plain_touch *c)
 static void stop(plain_blow *x)
 {
     real most = 1;
-    for (int n = 0; n < 1000000 && most > 1e-13; n++) {
+    for (int n = 0; n < 100000 && most > 1e-13; n++) {
         most = 0;
         for (int i = 0; i < x->touches; i++)
             if (x->touch[i].wave > 0)

@@ -802,6 +802,8 @@ $(BUILD)/tests/check_solver $(patsubst %,$(BUILD)/figures/%,$(filter 13-%,$(FIGU
 $(BUILD)/tests/check_seams $(BUILD)/figures/11-seams: $(BUILD)/tests/plain_seam.o
 # The plain impact, which judges those in time.
 $(BUILD)/tests/check_restitution $(BUILD)/figures/15-impact: $(BUILD)/tests/plain_impact.o
+# And the plain blow.
+$(BUILD)/tests/check_blow: $(BUILD)/tests/plain_blow.o
 
 # And the plain strand.
 $(BUILD)/tests/check_line $(BUILD)/figures/12-hold: $(BUILD)/tests/plain_strand.o

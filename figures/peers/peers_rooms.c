@@ -77,7 +77,7 @@ static status add_walls(world *w, real side)
     return done;
 }
 
-enum { STEPS = 8 };             // substeps, the default
+enum { STEPS = 8 };             // substeps, twice the default
 static int substeps;            // a frame of ours
 
 static void our_begin(world *w, const room *r, bool may_sleep)

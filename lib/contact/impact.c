@@ -128,6 +128,36 @@ static int find_closing(const impact_set *w)
     return most > 1e-12 * fastest ? found : -1;
 }
 
+// Row `good` can do nothing that those before it cannot, and yet it closes, as their
+// gaps are others.  It takes over from each its share, until one has nothing left
+// and is dropped: no velocity changes.  False if none has a share beyond rounding.
+static bool take_over(impact_set *w)
+{
+    int least = -1, last = w->set[w->good];
+    real most = HUGE_VAL, *share = w->stop;
+    for (int i = w->good - 1; i >= 0; i--) {
+        int row = w->set[i];
+        share[i] = w->l[w->good][i];
+        for (int j = i + 1; j < w->good; j++) share[i] -= w->l[j][i] * share[j];
+        real gives = share[i] * fabs(share[i]) * w->k[row][row];
+        if (!(gives > 1e-12 * w->k[last][last])
+            || !(w->impulse[row] < most * share[i])) continue;
+        most = w->impulse[row] / share[i];
+        least = i;
+    }
+    if (least < 0) return false;
+    for (int i = 0; i < w->good; i++) {
+        real *now = &w->impulse[w->set[i]];
+        *now = real_max(*now - most * share[i], 0);
+    }
+    w->impulse[last] += most;
+    w->impulse[w->set[least]] = 0;
+    for (int i = least + 1; i < w->count; i++) w->set[i - 1] = w->set[i];
+    w->count--;
+    w->good = least;
+    return true;
+}
+
 void impact_stop(impact_set *w)
 {
     bool stops = true;
@@ -135,8 +165,9 @@ void impact_stop(impact_set *w)
         int next = find_closing(w);
         if (next < 0 || w->count == IMPACT_ROWS) return;
         w->set[w->count++] = next;
-        do stops = factor_set(w);
-        while (stops && !step_to_set(w));
+        for (bool ends = false; stops && !ends; )
+            if (factor_set(w)) ends = step_to_set(w);
+            else stops = take_over(w);
         if (!stops) w->count = w->good;
     }
 }

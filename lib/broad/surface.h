@@ -26,6 +26,13 @@ typedef struct {
                         // what is behind, but at least a hundredth of that
     aabb_tree prisms;   // of triangles that have an area
 } surface;
+
+// All its tables, and how many elements each has.
+#define SURFACE_TABLES(TABLE, s)                                              \
+    TABLE(point, (s)->points) TABLE(triangle, (s)->triangles)                 \
+    TABLE(deep, (s)->triangles) TABLE(prisms.around, (s)->triangles)          \
+    TABLE(prisms.number, (s)->triangles)                                      \
+    TABLE(prisms.node, 2 * aabb_tree_leaves((s)->triangles))
 //<
 
 //> surface-query

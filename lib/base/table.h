@@ -63,10 +63,6 @@ static inline bool table_add(void *array, int count, int *room, size_t size)
 #define TABLE_ADD(array, count, room) \
     table_add(&(array), (count), &(room), sizeof *(array))
 
-// Exchanges two elements of that type.
-#define SWAP(type, a, b) \
-    do { type was_ = (a); (a) = (b); (b) = was_; } while (0)
-
 // Gives it room for `need` elements, if it has less, and for some more, and keeps
 // nothing; it is zero, for what is never set may be saved.  False, changing
 // nothing, if memory is refused.

@@ -46,6 +46,12 @@ static inline int int_min(int a, int b)
 }
 //<
 
+//> vec3-swap
+// Exchanges two things of that type.
+#define SWAP(type, a, b) \
+    do { type was_ = (a); (a) = (b); (b) = was_; } while (0)
+//<
+
 //> vec3-add
 static inline vec3 vec3_make(real x, real y, real z)
 {

@@ -2,6 +2,7 @@
 //>   A box is asked in one of two ways: when does a box that moves meet it, or
 //>   how far is it?
 #include "surface.h"
+#include "table.h"
 
 #include <math.h>
 #include <stddef.h>
@@ -379,20 +380,14 @@ static status list_prisms(surface *s)
 //>   So what is there is good.
 static bool copy(surface *s, const vec3 *point, const int (*triangle)[3])
 {
-    aabb_tree *t = &s->prisms;
-    size_t points = (size_t)s->points, triangles = (size_t)s->triangles;
-    s->point = malloc(points * sizeof *s->point);
-    s->triangle = malloc(triangles * sizeof *s->triangle);
-    t->around = malloc(triangles * sizeof *t->around);
-    t->number = malloc(triangles * sizeof *t->number);
-    t->node = malloc(2 * (size_t)aabb_tree_leaves(s->triangles)
-                     * sizeof *t->node);
-    s->deep = malloc(triangles * sizeof *s->deep);
-    if (!s->point || !s->triangle || !s->deep || !t->around || !t->number
-        || !t->node) return false;
-    for (size_t k = 0; k < triangles; k++) s->deep[k] = s->thickness;
-    memcpy(s->point, point, points * sizeof *point);
-    memcpy(s->triangle, triangle, triangles * sizeof *triangle);
+    bool ok = true;
+#define GROW(table, n) TABLE_GROW(ok, s->table, 0, n);
+    SURFACE_TABLES(GROW, s)
+#undef GROW
+    if (!ok) return false;
+    for (int k = 0; k < s->triangles; k++) s->deep[k] = s->thickness;
+    memcpy(s->point, point, (size_t)s->points * sizeof *point);
+    memcpy(s->triangle, triangle, (size_t)s->triangles * sizeof *triangle);
     return true;
 }
 
@@ -415,12 +410,9 @@ status surface_make(surface *s, const vec3 *point, int points,
 
 void surface_free(surface *s)
 {
-    free(s->point);
-    free(s->triangle);
-    free(s->deep);
-    free(s->prisms.around);
-    free(s->prisms.number);
-    free(s->prisms.node);
+#define FREE(table, n) free(s->table);
+    SURFACE_TABLES(FREE, s)
+#undef FREE
     *s = (surface){ .points = 0 };
 }
 //<

@@ -25,6 +25,13 @@ typedef struct {
                         // distance to what is behind, at least a hundredth of that
     aabb_tree prisms;   // of the triangles that have an area
 } surface;
+
+// All its tables, and how many elements each has.
+#define SURFACE_TABLES(TABLE, s)                                              \
+    TABLE(point, (s)->points) TABLE(triangle, (s)->triangles)                 \
+    TABLE(deep, (s)->triangles) TABLE(prisms.around, (s)->triangles)          \
+    TABLE(prisms.number, (s)->triangles)                                      \
+    TABLE(prisms.node, 2 * aabb_tree_leaves((s)->triangles))
 //<
 
 //> surface-query

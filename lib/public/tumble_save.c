@@ -46,15 +46,9 @@ static void mesh_store(body_place *x, store *s)
     body_mesh *m = x->mesh;
     if (!m) return;
     store_enter(s);
-    aabb_tree *t = &m->surface.prisms;
-    STORE_TABLE(s, m->surface.point, m->surface.points, m->surface.points);
-    STORE_TABLE(s, m->surface.triangle, m->surface.triangles,
-                m->surface.triangles);
-    STORE_TABLE(s, m->surface.deep, m->surface.triangles,
-                m->surface.triangles);
-    STORE_TABLE(s, t->around, t->things, t->things);
-    STORE_TABLE(s, t->number, t->things, t->things);
-    STORE_TABLE(s, t->node, 2 * t->leaves, 2 * t->leaves);
+#define WHOLE(table, n) STORE_TABLE(s, m->surface.table, n, n);
+    SURFACE_TABLES(WHOLE, &m->surface)
+#undef WHOLE
     STORE_TABLE(s, m->piece, m->surface.triangles, m->surface.triangles);
     STORE_TABLE(s, m->of, x->pieces, m->room);
     STORE_TABLE(s, m->seen, m->seens, m->seen_room);

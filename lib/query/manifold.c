@@ -787,12 +787,8 @@ static int stands_before(const touch *s, const touch *t)
 static void reverse_corners(meetings *m, int first, int end)
 {
     for (--end; first < end; first++, end--) {
-        touch t = m->of[first];
-        vec3 at = m->at[first];
-        m->of[first] = m->of[end];
-        m->at[first] = m->at[end];
-        m->of[end] = t;
-        m->at[end] = at;
+        SWAP(touch, m->of[first], m->of[end]);
+        SWAP(vec3, m->at[first], m->at[end]);
     }
 }
 

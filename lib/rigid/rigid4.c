@@ -163,6 +163,7 @@ static void find_axes(real root[3][3], vec3 axis[AXES])
 //<
 
 //> rigid4-build
+//>   The four particles stand at the corners that the columns say.
 static void place_four(rigid4 *f, const shape *s, const rigid_solid *q,
                        const vec3 axis[AXES])
 {

@@ -190,11 +190,7 @@ static void begin_hull(hull_builder *b, int v[4])
 {
     vec3 a = b->at[v[0]], p = vec3_sub(b->at[v[1]], a);
     vec3 q = vec3_sub(b->at[v[2]], a), r = vec3_sub(b->at[v[3]], a);
-    if (vec3_dot(vec3_cross(p, q), r) > 0) {
-        int second = v[1];
-        v[1] = v[2];
-        v[2] = second;
-    }
+    if (vec3_dot(vec3_cross(p, q), r) > 0) SWAP(int, v[1], v[2]);
     b->used = b->spares = b->opens = 0;
     for (int n = 0; n < b->room; n++) b->facet[n].is_listed = false;
     add_facet(b, v[0], v[1], v[2]);

@@ -314,11 +314,8 @@ static void turn_outwards(obj_file *o)
         volume += vec3_dot(o->at[v[0]],
                            vec3_cross(o->at[v[1]], o->at[v[2]]));
     }
-    for (int t = 0; t < o->triangles && volume < 0; t++) {
-        int *v = o->triangle[t], second = v[1];
-        v[1] = v[2];
-        v[2] = second;
-    }
+    for (int t = 0; t < o->triangles && volume < 0; t++)
+        SWAP(int, o->triangle[t][1], o->triangle[t][2]);
 }
 //<
 

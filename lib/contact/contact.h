@@ -100,6 +100,10 @@ enum { CONTACT_ROUNDS = 8 };                // tuned, rounds
 // frame takes (substeps.c).
 static const real CONTACT_GIVES = 0.0035;   // tuned, radii
 
+// Two points touch whose gap is less than this, of the smaller radius: more than
+// rounding leaves of one that has just closed.
+static const real CONTACT_TOUCHES = 1e-9;
+
 // An overlap is deep that is more than this, of the smaller radius: it is reported,
 // and so deep inside of a face nothing has come through it.
 static const real CONTACT_DEEP = 0.1;       // tuned, radii

@@ -791,6 +791,8 @@ typedef struct {
 
 // An open gap may close, but no further; an overlap is pushed out as a spring
 // and a damper would.  Only where `on` is positive.  Returns what open ones push.
+// What has landed has a gap of zero, and rounding is not to decide whether that is
+// open: a gap is, beyond CONTACT_TOUCHES.
 ALWAYS_INLINE real4 push_points(block *k, const solver_pass *q, pushing *w,
                                 real4 on, bool two, bool has_impacts)
 {
@@ -801,28 +803,29 @@ ALWAYS_INLINE real4 push_points(block *k, const solver_pass *q, pushing *w,
     const real4 rate = real4_all(soft->rate * soft->mass);
     const real4 soft_mass = real4_all(soft->mass);
     const real4 soft_impulse = real4_all(soft->impulse);
-    real4 inverse = inverse_mass(k, two), open = zero;
+    const real4 touch = real4_mul(real4_all(CONTACT_TOUCHES), k->radius);
+    real4 inverse = inverse_mass(k, two), pushes = zero;
     for (int j = 0; j < k->points; j++) {
         block_point *p = &k->point[j];
-        real4 gap = p->now;
+        real4 gap = p->now, open = real4_sub(gap, touch);
         real4 speed = real4_add(w->parting,
                                 part_turns(p->turn_a, p->turn_b, &w->u, two));
         if (has_impacts)
             speed = real4_if_positive(
-                gap, leave_impacts(k, q, speed, p->impulse), speed);
-        real4 bias = real4_if_positive(gap, real4_mul(gap, per_h),
+                open, leave_impacts(k, q, speed, p->impulse), speed);
+        real4 bias = real4_if_positive(open, real4_mul(gap, per_h),
                                        real4_max(real4_mul(rate, gap), most));
-        real4 mass = real4_if_positive(gap, one, soft_mass);
-        real4 leak = real4_if_positive(gap, zero, soft_impulse);
+        real4 mass = real4_if_positive(open, one, soft_mass);
+        real4 leak = real4_if_positive(open, zero, soft_impulse);
         real4 step = real4_mad(p->mass, real4_mad(mass, speed, bias),
                                real4_mul(leak, p->impulse));
         step = real4_if_positive(on, step, zero);
         push_point(p, real4_sub(p->impulse, step), inverse, &w->parting,
                    &w->sum, &w->u, two);
-        open = real4_add(open, real4_if_positive(gap, p->impulse, zero));
-        w->struck = real4_add(w->struck, striking(q, gap, speed, p->impulse));
+        pushes = real4_add(pushes, real4_if_positive(open, p->impulse, zero));
+        w->struck = real4_add(w->struck, striking(q, open, speed, p->impulse));
     }
-    return open;
+    return pushes;
 }
 
 // The first point that strikes turns the body onto the others: what falls flat

@@ -469,7 +469,7 @@ static void fill_block(void *data, int number)
     int first, lanes = solver_lanes(s, number, &first);
     const int *list = s->order + first;
     k->rubs = true;
-    k->is_struck = false;
+    k->has_blow = false;
     k->struck = real4_all(0);
     k->in_blow = 0;
     k->two = s->active[list[0]].sides != ONE_SIDED;
@@ -706,12 +706,6 @@ static inline real4 striking(const solver_pass *q, real4 gap, real4 speed,
     real4 slow = real4_add(speed, real4_all(q->slowest));
     return real4_if_positive(gap, real4_if_positive(slow, zero, impulse), zero);
 }
-
-static inline void note_struck(block *k, real4 struck)
-{
-    k->struck = real4_add(k->struck, struck);
-    k->is_struck |= real4_any(struck);
-}
 //<
 
 //> passes-closing
@@ -782,11 +776,11 @@ ALWAYS_INLINE bool wakes(block *k, const solver_pass *q, const sides4 *u, bool t
 //<
 
 //> passes-push
-// What pushes apart along the normal: how fast the centres part, what it has given
-// so far, and what of that stopped what strikes.
+// What pushes apart along the normal: how fast the centres part, and what it has
+// given so far.
 typedef struct {
     sides4 u;
-    real4 parting, sum, struck;
+    real4 parting, sum;
 } pushing;
 
 // An open gap may close, but no further; an overlap is pushed out as a spring
@@ -823,7 +817,7 @@ ALWAYS_INLINE real4 push_points(block *k, const solver_pass *q, pushing *w,
         push_point(p, real4_sub(p->impulse, step), inverse, &w->parting,
                    &w->sum, &w->u, two);
         pushes = real4_add(pushes, real4_if_positive(open, p->impulse, zero));
-        w->struck = real4_add(w->struck, striking(q, open, speed, p->impulse));
+        k->struck = real4_add(k->struck, striking(q, open, speed, p->impulse));
     }
     return pushes;
 }
@@ -834,8 +828,7 @@ ALWAYS_INLINE real4 push_points(block *k, const solver_pass *q, pushing *w,
 ALWAYS_INLINE void push_block(block *k, const solver_pass *q, bool two,
                               bool has_impacts)
 {
-    const real4 zero = real4_all(0);
-    pushing w = { .u = take_sides(k, q->velocity, two), .sum = zero, .struck = zero };
+    pushing w = { .u = take_sides(k, q->velocity, two), .sum = real4_all(0) };
     if (k->is_stale && !wakes(k, q, &w.u, two)) return;
     w.parting = part_centers(k->normal, &w.u, two);
     real4 open = push_points(k, q, &w, real4_all(1), two, has_impacts);
@@ -845,7 +838,6 @@ ALWAYS_INLINE void push_block(block *k, const solver_pass *q, bool two,
             push_points(k, q, &w, open, two, has_impacts);
     }
     push_centers(k, k->normal, w.sum, &w.u, two);
-    note_struck(k, w.struck);
     give_sides(k, q->velocity, &w.u, two);
 }
 //<
@@ -904,7 +896,6 @@ ALWAYS_INLINE void relax_once(block *k, const solver_pass *q, sides4 *side,
     sides4 u = *side;
     real4 parting = part_centers(k->normal, &u, two), sum = zero;
     real4 inverse = inverse_mass(k, two), along = zero, moment = zero;
-    real4 struck = zero;
     for (int j = 0; j < k->points; j++) {
         block_point *p = &k->point[j];
         real4 gap = p->now;
@@ -914,12 +905,11 @@ ALWAYS_INLINE void relax_once(block *k, const solver_pass *q, sides4 *side,
         real4 then = real4_mad(real4_max(gap, zero), per_h, speed);
         push_point(p, real4_sub(p->impulse, real4_mul(p->mass, then)),
                    inverse, &parting, &sum, &u, two);
-        struck = real4_add(struck, striking(q, gap, speed, p->impulse));
+        k->struck = real4_add(k->struck, striking(q, gap, speed, p->impulse));
         along = real4_add(along, p->impulse);
         moment = real4_mad(p->lever, p->impulse, moment);
     }
     push_centers(k, k->normal, sum, &u, two);
-    note_struck(k, struck);
     if (k->rubs || real4_any(along)) {
         if (k->points > 1) twist_block(k, real4_mul(friction, moment), &u, two);
         brake_block(k, real4_mul(friction, along), &u, two);

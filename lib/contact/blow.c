@@ -133,7 +133,7 @@ static void keep_blow(const blow *w)
         real4 *sum = &k->point[j].impulse, *blows = &k->place[j].blow;
         real4_set(sum, lane, real4_get(sum, lane) + w->set.impulse[i]);
         real4_set(blows, lane, real4_get(blows, lane) + w->set.impulse[i]);
-        k->is_struck = k->rubs = true;
+        k->has_blow = k->rubs = true;
         k->in_blow = 0;
     }
 }
@@ -170,8 +170,8 @@ void blow_forget(contact_solver *s)
     const real4 zero = real4_all(0);
     for (int n = 0; n < s->blocks; n++) {
         block *k = &s->block[n];
-        if (!k->is_struck) continue;
-        k->is_struck = false;
+        if (!k->has_blow && !real4_any(k->struck)) continue;
+        k->has_blow = false;
         real4 all = zero, left = zero;
         for (int j = 0; j < k->points; j++) {
             real4 *sum = &k->point[j].impulse;

@@ -97,6 +97,10 @@ enum { CONTACT_ROUNDS = 8 };                // tuned, rounds
 // frame takes as many substeps as that needs (substeps.c).
 static const real CONTACT_GIVES = 0.0035;   // tuned, radii
 
+// Two points touch whose gap is less than this, of the smaller radius: more than
+// rounding leaves of one that has just closed.
+static const real CONTACT_TOUCHES = 1e-9;
+
 // An overlap of more than this part of the smaller radius is deep: it is reported, and
 // a body so deep inside of a face has not come through that face.
 static const real CONTACT_DEEP = 0.1;       // tuned, radii

@@ -464,7 +464,7 @@ static void fill_block(void *data, int number)
     int first, lanes = solver_lanes(s, number, &first);
     const int *list = s->order + first;
     k->rubs = true;
-    k->is_struck = false;
+    k->has_blow = false;
     k->struck = real4_all(0);
     k->in_blow = 0;
     k->two = s->active[list[0]].sides != ONE_SIDED;
@@ -701,12 +701,6 @@ static inline real4 striking(const solver_pass *q, real4 gap, real4 speed,
     real4 slow = real4_add(speed, real4_all(q->slowest));
     return real4_if_positive(gap, real4_if_positive(slow, zero, impulse), zero);
 }
-
-static inline void note_struck(block *k, real4 struck)
-{
-    k->struck = real4_add(k->struck, struck);
-    k->is_struck |= real4_any(struck);
-}
 //<
 
 //> passes-closing
@@ -777,15 +771,17 @@ ALWAYS_INLINE bool wakes(block *k, const solver_pass *q, const sides4 *u, bool t
 //<
 
 //> passes-push
-// What pushes apart along the normal: how fast the centres part, what it has given
-// so far, and what of that stopped what strikes.
+// What pushes apart along the normal: how fast the centres part, and what it has
+// given so far.
 typedef struct {
     sides4 u;
-    real4 parting, sum, struck;
+    real4 parting, sum;
 } pushing;
 
 // An open gap may close, but no further; an overlap is pushed out as a spring
 // and a damper would.  Only where `on` is positive.  Returns what open ones push.
+// What has landed has a gap of zero, and rounding is not to decide whether that is
+// open: a gap is, beyond CONTACT_TOUCHES.
 ALWAYS_INLINE real4 push_points(block *k, const solver_pass *q, pushing *w,
                                 real4 on, bool two, bool has_impacts)
 {
@@ -796,28 +792,29 @@ ALWAYS_INLINE real4 push_points(block *k, const solver_pass *q, pushing *w,
     const real4 rate = real4_all(soft->rate * soft->mass);
     const real4 soft_mass = real4_all(soft->mass);
     const real4 soft_impulse = real4_all(soft->impulse);
-    real4 inverse = inverse_mass(k, two), open = zero;
+    const real4 touch = real4_mul(real4_all(CONTACT_TOUCHES), k->radius);
+    real4 inverse = inverse_mass(k, two), pushes = zero;
     for (int j = 0; j < k->points; j++) {
         block_point *p = &k->point[j];
-        real4 gap = p->now;
+        real4 gap = p->now, open = real4_sub(gap, touch);
         real4 speed = real4_add(w->parting,
                                 part_turns(p->turn_a, p->turn_b, &w->u, two));
         if (has_impacts)
             speed = real4_if_positive(
-                gap, leave_impacts(k, q, speed, p->impulse), speed);
-        real4 bias = real4_if_positive(gap, real4_mul(gap, per_h),
+                open, leave_impacts(k, q, speed, p->impulse), speed);
+        real4 bias = real4_if_positive(open, real4_mul(gap, per_h),
                                        real4_max(real4_mul(rate, gap), most));
-        real4 mass = real4_if_positive(gap, one, soft_mass);
-        real4 leak = real4_if_positive(gap, zero, soft_impulse);
+        real4 mass = real4_if_positive(open, one, soft_mass);
+        real4 leak = real4_if_positive(open, zero, soft_impulse);
         real4 step = real4_mad(p->mass, real4_mad(mass, speed, bias),
                                real4_mul(leak, p->impulse));
         step = real4_if_positive(on, step, zero);
         push_point(p, real4_sub(p->impulse, step), inverse, &w->parting,
                    &w->sum, &w->u, two);
-        open = real4_add(open, real4_if_positive(gap, p->impulse, zero));
-        w->struck = real4_add(w->struck, striking(q, gap, speed, p->impulse));
+        pushes = real4_add(pushes, real4_if_positive(open, p->impulse, zero));
+        k->struck = real4_add(k->struck, striking(q, open, speed, p->impulse));
     }
-    return open;
+    return pushes;
 }
 
 // The first point that strikes turns the body onto the others: what falls flat
@@ -826,8 +823,7 @@ ALWAYS_INLINE real4 push_points(block *k, const solver_pass *q, pushing *w,
 ALWAYS_INLINE void push_block(block *k, const solver_pass *q, bool two,
                               bool has_impacts)
 {
-    const real4 zero = real4_all(0);
-    pushing w = { .u = take_sides(k, q->velocity, two), .sum = zero, .struck = zero };
+    pushing w = { .u = take_sides(k, q->velocity, two), .sum = real4_all(0) };
     if (k->is_stale && !wakes(k, q, &w.u, two)) return;
     w.parting = part_centers(k->normal, &w.u, two);
     real4 open = push_points(k, q, &w, real4_all(1), two, has_impacts);
@@ -837,7 +833,6 @@ ALWAYS_INLINE void push_block(block *k, const solver_pass *q, bool two,
             push_points(k, q, &w, open, two, has_impacts);
     }
     push_centers(k, k->normal, w.sum, &w.u, two);
-    note_struck(k, w.struck);
     give_sides(k, q->velocity, &w.u, two);
 }
 //<
@@ -896,7 +891,6 @@ ALWAYS_INLINE void relax_once(block *k, const solver_pass *q, sides4 *side,
     sides4 u = *side;
     real4 parting = part_centers(k->normal, &u, two), sum = zero;
     real4 inverse = inverse_mass(k, two), along = zero, moment = zero;
-    real4 struck = zero;
     for (int j = 0; j < k->points; j++) {
         block_point *p = &k->point[j];
         real4 gap = p->now;
@@ -906,12 +900,11 @@ ALWAYS_INLINE void relax_once(block *k, const solver_pass *q, sides4 *side,
         real4 then = real4_mad(real4_max(gap, zero), per_h, speed);
         push_point(p, real4_sub(p->impulse, real4_mul(p->mass, then)),
                    inverse, &parting, &sum, &u, two);
-        struck = real4_add(struck, striking(q, gap, speed, p->impulse));
+        k->struck = real4_add(k->struck, striking(q, gap, speed, p->impulse));
         along = real4_add(along, p->impulse);
         moment = real4_mad(p->lever, p->impulse, moment);
     }
     push_centers(k, k->normal, sum, &u, two);
-    note_struck(k, struck);
     if (k->rubs || real4_any(along)) {
         if (k->points > 1) twist_block(k, real4_mul(friction, moment), &u, two);
         brake_block(k, real4_mul(friction, along), &u, two);

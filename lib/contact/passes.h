@@ -145,7 +145,7 @@ typedef struct {
     bool  two;                          // both sides move,
     bool  is_driven;                    // but B is driven
     bool  is_uneven;                    // a heavy body meets a light one
-    bool  is_struck;                    // something struck, see blow_forget
+    bool  has_blow;                     // impulses hold one, see blow_forget
     real4 struck;                       // > 0: what closed fast was stopped
     int   in_blow;                      // a bit a lane, while it is found
     bool  rubs;                         // friction's impulses may not be 0

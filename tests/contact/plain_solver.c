@@ -161,10 +161,11 @@ static bool solve_normals(plain_solver *s, int i, softness soft, bool relaxes)
         real was = c->impulse[k];
         real gap = s->gap[i][k] + parting(&p, p.moved, arm, n);
         real speed = parting(&p, p.velocity, arm, n);
-        if ((relaxes || gap > 0) && is_left(s->frame, c, was, speed)) continue;
+        bool open = gap > CONTACT_TOUCHES * radius_of(s, c);
+        if ((relaxes || open) && is_left(s->frame, c, was, speed)) continue;
         real mass = 1 / response(&p, arm, n, n);
         real lacking = speed + gap / s->frame->h, leak = 0;
-        if (gap <= 0) {
+        if (!open) {
             real bias = soft.mass * soft.rate * gap;
             real most = s->frame->max_rate * radius_of(s, c);
             lacking = soft.mass * speed + real_max(bias, -most);
@@ -172,7 +173,7 @@ static bool solve_normals(plain_solver *s, int i, softness soft, bool relaxes)
         }
         c->impulse[k] = real_max(was - mass * lacking - leak, 0);
         apply(&p, arm, vec3_scale(c->impulse[k] - was, n));
-        strikes |= gap > 0 && c->impulse[k] > 0;
+        strikes |= open && c->impulse[k] > 0;
     }
     return strikes;
 }

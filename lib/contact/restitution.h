@@ -39,7 +39,8 @@ int restitution_solve(const contact *const *table, int n, const solver_frame *f,
                       solver_body *body, motion *velocity, motion *moved);
 
 // If c is of two balls, its normal becomes the line of their centres when the
-// substep ends, as they go now.  Returns whether it is.
+// substep ends, as they go now: if it strikes, or if the normal has turned by more
+// than MANIFOLD_TURN.  Returns whether it does.
 bool restitution_face(contact *c, const solver_frame *f,
                       const motion *velocity, const motion *moved);
 //<

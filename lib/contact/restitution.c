@@ -2,6 +2,7 @@
 //>   An impact that is passed on is one more impact. In Newton's cradle the
 //>   first round goes through the whole row.
 #include "restitution.h"
+#include "manifold.h"
 
 #include <assert.h>
 
@@ -270,7 +271,10 @@ bool restitution_face(contact *c, const solver_frame *f,
     if (!are_balls(c)) return false;
     vec3 a = predicted_center(f, c->a, &velocity[c->a], &moved[c->a]);
     vec3 b = predicted_center(f, c->b, &velocity[c->b], &moved[c->b]);
-    c->normal = vec3_unit(vec3_sub(a, b));
+    vec3 normal = vec3_unit(vec3_sub(a, b));
+    if (!solver_strikes(f, c)
+        && vec3_distance(normal, c->normal) <= MANIFOLD_TURN) return false;
+    c->normal = normal;
     return true;
 }
 

@@ -35,7 +35,8 @@ int restitution_solve(const contact *const *table, int n, const solver_frame *f,
                       solver_body *body, motion *velocity, motion *moved);
 
 // Of two balls, makes the normal of c the line of their centres at the end of the
-// substep, at their velocities now.  Returns whether c is of two balls.
+// substep, at their velocities now, if it strikes or if the normal has turned by more
+// than MANIFOLD_TURN.  Returns whether it did.
 bool restitution_face(contact *c, const solver_frame *f,
                       const motion *velocity, const motion *moved);
 //<

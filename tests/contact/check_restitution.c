@@ -344,6 +344,23 @@ START_TEST(only_balls_face_each_other_where_they_come)
 }
 END_TEST
 
+// Two balls that slide past each other, and do not strike: the second goes across by
+// .03 or .2 m, where their centres are 1.01 m apart.  Rejects: one impact for which all
+// balls are faced; an old normal that is kept however far they come around each other.
+START_TEST(balls_that_do_not_strike_are_faced_when_they_have_come_around)
+{
+    for (int is_far = 0; is_far < 2; is_far++) {
+        begin(0.01);
+        add_ball(vec3_make(0, 0, 0), 1, 0.5);
+        add_ball(vec3_make(1.01, 0, 0), 1, 0.5);
+        set_velocity(1, vec3_make(0, is_far ? 20 : 3, 0));
+        join_balls(0, 1);
+        frame.restitution = 0;
+        ck_assert(restitution_face(&made[0], &frame, velocity, moved) == is_far);
+    }
+}
+END_TEST
+
 // Rejects: a large body that loses what it would bounce with.
 START_TEST(size_does_not_say_what_is_slow)
 {
@@ -1096,6 +1113,7 @@ int main(void)
         bodies_that_do_not_touch_in_this_substep_do_not_strike,
         slow_bodies_do_not_bounce, size_does_not_say_what_is_slow,
         only_balls_face_each_other_where_they_come,
+        balls_that_do_not_strike_are_faced_when_they_have_come_around,
         what_does_not_move_may_be_either_body,
         ball_comes_back_to_the_square_of_its_restitution,
         what_falls_together_meets_at_the_speed_that_it_has,

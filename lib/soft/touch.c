@@ -113,7 +113,7 @@ static void part_from_moving(const soft_touch *x, particle *p)
 static real held_against(const soft_touch *x, int i)
 {
     const line_hold *h = &x->f->hold[i];
-    if (h->state == LINE_FREE) return 0;
+    if (h->state < LINE_TOUCHES) return 0;
     return real_max(-vec3_dot(h->normal, x->at.normal), 0);
 }
 
@@ -282,7 +282,7 @@ static bool touch_fixed(const soft_frame *f, int i, surface_point at,
     real load = real_max(came - vec3_dot(hold->pull, at.normal),
                          pressed - GIVE_SHARE * pressed_into(hold, at.normal));
     p->position = vec3_add_scaled(p->position, depth, at.normal);
-    bool is_held = hold->state != LINE_FREE;
+    bool is_held = hold->state >= LINE_TOUCHES;
     if (is_held && is_one_side(at.normal, hold->normal)) return true;
     hold->normal = at.normal;
     hold->state = is_held ? LINE_CORNERED : LINE_TOUCHES;
@@ -587,26 +587,44 @@ static bool touch_nailed(const soft_frame *f, int i, int nailed, real apart,
     return touch_fixed(f, i, (surface_point){ at, normal }, apart, m);
 }
 
+// When all are parted, friction takes back how far two slid past each other, and how
+// far their strands will draw them, as they did before.  One pair after the other
+// it would take for sliding what the next push takes back.
+static void brake_pairs(const near_lists *l, const soft_frame *f, int pressed)
+{
+    for (int k = 0; k < pressed; k++) {
+        particle_contact c = l->pair[l->pressed[k].pair];
+        line_hold *a = &f->hold[c.a], *b = &f->hold[c.b];
+        material m = soft_material(f, f->owner[c.a], f->owner[c.b]);
+        particle_contact_brake(c, f->particle, vec3_sub(a->pull, b->pull),
+                               m.friction * l->pressed[k].depth);
+        if (a->state == LINE_FREE) a->state = LINE_MEETS;
+        if (b->state == LINE_FREE) b->state = LINE_MEETS;
+    }
+}
+
 int touch_pairs(const near_lists *l, const soft_frame *f, real *deepest)
 {
-    int touching = 0;
+    int touching = 0, pressed = 0;
     for (int k = 0; k < l->pairs; k++) {
         particle_contact c = l->pair[k];
         int a = f->owner[c.a], b = f->owner[c.b];
-        material m = soft_material(f, a, b);
         if (a != b) c.distance *= real_min(l->gap[a], l->gap[b]);
         bool a_is_nailed = f->particle[c.a].inverse_mass == 0;
         bool b_is_nailed = f->particle[c.b].inverse_mass == 0;
         if (a != b && a_is_nailed != b_is_nailed) {
             touching += touch_nailed(f, a_is_nailed ? c.b : c.a,
-                                     a_is_nailed ? c.a : c.b, c.distance, m);
+                                     a_is_nailed ? c.a : c.b, c.distance,
+                                     soft_material(f, a, b));
             continue;
         }
         if (!particle_contact_overlaps(&c, f->particle)) continue;
-        real depth = particle_contact_separate(c, f->particle, m.friction);
-        touching += depth > 0;
+        real depth = particle_contact_separate(c, f->particle, 0);
+        if (!(depth > 0)) continue;
+        l->pressed[pressed++] = (pressed_pair){ k, depth };
         if (depth > *deepest * c.distance) *deepest = depth / c.distance;
     }
-    return touching;
+    brake_pairs(l, f, pressed);
+    return touching + pressed;
 }
 //<

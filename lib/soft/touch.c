@@ -18,6 +18,7 @@ typedef struct {
     surface_point at;           // the point of the body's surface
     real apart;                 // m, what is kept between the two
     real friction;
+    bool is_after;              // the strands have drawn it already
 } soft_touch;
 
 // How that point touches the body.
@@ -82,6 +83,22 @@ static void note_old(const soft_frame *f, int soft, real old, real apart)
     if (is_deep && f->sunk[soft] != SUNK_NOT) f->sunk[soft] = SUNK;
 }
 
+// m, how far the strands will draw a particle, as they did before: of what friction
+// holds on something fixed, not at all.
+static vec3 hold_drawn(const line_hold *h)
+{
+    return vec3_scale(h->state < LINE_TOUCHES ? 1 : 1 - h->held, h->pull);
+}
+
+static vec3 drawn_of(const soft_touch *x)
+{
+    vec3 drawn = { 0, 0, 0 };
+    for (int k = 0; k < x->corners && !x->is_after; k++)
+        drawn = vec3_add_scaled(drawn, x->weight[k],
+                                hold_drawn(&x->f->hold[x->corner[k]]));
+    return drawn;
+}
+
 static void part_from_moving(const soft_touch *x, particle *p)
 {
     const motion_basis *basis = &x->f->now[x->b].basis;
@@ -96,7 +113,7 @@ static void part_from_moving(const soft_touch *x, particle *p)
     push_particle(x, p, t.arm, vec3_scale(load, t.normal));
 
     // Coulomb: at most so much of the load as takes the sliding back.
-    vec3 slide = touch_of(x, p).slide;
+    vec3 slide = vec3_add(touch_of(x, p).slide, drawn_of(x));
     slide = vec3_add_scaled(slide, -vec3_dot(slide, t.normal), t.normal);
     real length = vec3_length(slide);
     if (!(length > 0)) return;
@@ -346,9 +363,9 @@ static bool touch_body(const rigid_view *v, const soft_frame *f,
     if (!nearest_outside(&v->hull, p->position, &pair, reach, &at)) return false;
     if (is_fixed) return touch_fixed(f, pair.particle, at, apart, m);
     soft_touch x = { f, v, &f->body[pair.soft], body_whole(rigid, pair.rigid), 1,
-                { pair.particle }, { 1 }, at, apart, m.friction };
+                { pair.particle }, { 1 }, at, apart, m.friction, false };
     if (!(held_against(&x, pair.particle) > 0))
-        f->hold[pair.particle].state = LINE_FREE;
+        f->hold[pair.particle].state = LINE_MEETS;
     return part_from(&x, BY_PARTICLE);
 }
 
@@ -433,7 +450,7 @@ static bool part_facet(const rigid_view *v, const soft_frame *f,
 {
     soft_touch x = { f, v, &f->body[pair->soft],
                 body_whole(&f->body[pair->rigid], pair->rigid), FACET,
-                .apart = apart,
+                .apart = apart, .is_after = who == BY_WHOLE,
                 .friction = soft_material(f, pair->soft,
                                           pair->rigid).friction };
     vec3 here = { 0, 0, 0 };
@@ -596,7 +613,8 @@ static void brake_pairs(const near_lists *l, const soft_frame *f, int pressed)
         particle_contact c = l->pair[l->pressed[k].pair];
         line_hold *a = &f->hold[c.a], *b = &f->hold[c.b];
         material m = soft_material(f, f->owner[c.a], f->owner[c.b]);
-        particle_contact_brake(c, f->particle, vec3_sub(a->pull, b->pull),
+        particle_contact_brake(c, f->particle,
+                               vec3_sub(hold_drawn(a), hold_drawn(b)),
                                m.friction * l->pressed[k].depth);
         if (a->state == LINE_FREE) a->state = LINE_MEETS;
         if (b->state == LINE_FREE) b->state = LINE_MEETS;

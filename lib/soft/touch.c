@@ -90,7 +90,7 @@ static vec3 hold_drawn(const line_hold *h)
     return vec3_scale(h->state < LINE_TOUCHES ? 1 : 1 - h->held, h->pull);
 }
 
-static vec3 drawn_of(const soft_touch *x)
+static vec3 point_drawn(const soft_touch *x)
 {
     vec3 drawn = { 0, 0, 0 };
     for (int k = 0; k < x->corners && !x->is_after; k++)
@@ -113,7 +113,7 @@ static void part_from_moving(const soft_touch *x, particle *p)
     push_particle(x, p, t.arm, vec3_scale(load, t.normal));
 
     // Coulomb: at most so much of the load as takes the sliding back.
-    vec3 slide = vec3_add(touch_of(x, p).slide, drawn_of(x));
+    vec3 slide = vec3_add(touch_of(x, p).slide, point_drawn(x));
     slide = vec3_add_scaled(slide, -vec3_dot(slide, t.normal), t.normal);
     real length = vec3_length(slide);
     if (!(length > 0)) return;

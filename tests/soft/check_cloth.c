@@ -517,10 +517,10 @@ START_TEST(rope_over_a_nailed_rope_holds_what_friction_holds_and_no_more)
 END_TEST
 
 // A strip of cloth, as long as `size` (m), lies over a rope that hangs by its ends,
-// or over a rod that is static or one that a program could move, as far down on one side as the rope equation
-// of the drum bears at a friction of 0.5, or with equal halves.  Friction is `more`
-// times as much.  Returns how far it goes in a second and a half, as a share of its
-// length.
+// or over a rod that is static, or one that a program could move.  It reaches as far
+// down on one side as the rope equation of the drum bears at a friction of 0.5, or
+// has equal halves.  Friction is `more` times as much.  Returns how far it goes in a
+// second and a half, as a share of its length.
 typedef enum { ON_ROD, ON_MOVED_ROD, ON_ROPE } strip_on;
 static real strip_goes(strip_on on, bool is_even, real more, real size, real dt)
 {

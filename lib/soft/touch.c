@@ -606,16 +606,20 @@ static bool touch_nailed(const soft_frame *f, int i, int nailed, real apart,
 
 // When all are parted, friction takes back how far two slid past each other, and how
 // far their strands will draw them, as they did before.  One pair after the other
-// it would take for sliding what the next push takes back.
+// it would take for sliding what the next push takes back.  Two that began too near
+// are still on their way out: strands that are caught in each other draw without end.
 static void brake_pairs(const near_lists *l, const soft_frame *f, int pressed)
 {
     for (int k = 0; k < pressed; k++) {
         particle_contact c = l->pair[l->pressed[k].pair];
         line_hold *a = &f->hold[c.a], *b = &f->hold[c.b];
-        material m = soft_material(f, f->owner[c.a], f->owner[c.b]);
-        particle_contact_brake(c, f->particle,
-                               vec3_sub(hold_drawn(a), hold_drawn(b)),
-                               m.friction * l->pressed[k].depth);
+        int one = f->owner[c.a], other = f->owner[c.b];
+        bool is_apart = one == other || real_min(l->gap[one], l->gap[other]) >= 1;
+        vec3 drawn = { 0, 0, 0 };
+        if (is_apart) drawn = vec3_sub(hold_drawn(a), hold_drawn(b));
+        particle_contact_brake(c, f->particle, drawn,
+                               soft_material(f, one, other).friction
+                               * l->pressed[k].depth);
         if (a->state == LINE_FREE) a->state = LINE_MEETS;
         if (b->state == LINE_FREE) b->state = LINE_MEETS;
     }

@@ -918,7 +918,7 @@ static void hold_begin(const shape *s, line_scratch *scratch,
 {
     for (int i = 0; i < s->particles; i++) {
         real *weight = &scratch->now.weight[i], share = hold_share(&hold[i]);
-        if (hold[i].state == LINE_FREE) continue;
+        if (hold[i].state < LINE_TOUCHES) continue;
         real more = (share - GIVE_SHARE) * *weight;
         *weight *= share;
         place_set(scratch->now, i, vec3_sub(place_get(scratch->now, i),
@@ -929,12 +929,22 @@ static void hold_begin(const shape *s, line_scratch *scratch,
     }
 }
 
+static void remember_pull(line_hold *h, vec3 d)
+{
+    h->pull = vec3_scale(0.5, vec3_add(h->pull, d));
+}
+
 // p: as they were before.
 static void hold_end(const shape *s, line_scratch *scratch, const particle *p,
                      line_hold *hold)
 {
     for (int i = 0; i < s->particles; i++) {
         if (hold[i].state == LINE_FREE) continue;
+        if (hold[i].state == LINE_MEETS) {
+            remember_pull(&hold[i], vec3_sub(place_get(scratch->now, i),
+                                             p[i].position));
+            continue;
+        }
         place_set(scratch->hold, i, (vec3){ 0, 0, 0 });
         vec3 from = vec3_sub(p[i].position, taken_back(&hold[i]));
         vec3 d = vec3_sub(place_get(scratch->now, i), from);
@@ -942,7 +952,7 @@ static void hold_end(const shape *s, line_scratch *scratch, const particle *p,
         real more = 1 / hold_share(&hold[i]);
         d = vec3_add_scaled(vec3_scale(more, d), into * (1 / GIVE_SHARE - more),
                             hold[i].normal);
-        hold[i].pull = vec3_scale(0.5, vec3_add(hold[i].pull, d));
+        remember_pull(&hold[i], d);
     }
 }
 //<

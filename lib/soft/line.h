@@ -27,7 +27,9 @@ typedef struct {
 // it, and to all sides if it is held, it gives way by this share of what it would.
 static const real GIVE_SHARE = 0.3;         // tuned, 1
 
-typedef enum { LINE_FREE, LINE_TOUCHES, LINE_CORNERED } line_state;
+// It is free; it meets what moves, and is as free, but its pull is remembered; or it
+// touches what does not move.
+typedef enum { LINE_FREE, LINE_MEETS, LINE_TOUCHES, LINE_CORNERED } line_state;
 
 typedef struct {
     line_state state;

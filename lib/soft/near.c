@@ -548,6 +548,7 @@ static bool make_list_room(near_lists *l, int soft)
     l->pairs = l->points = 0;
     TABLE_GROW(ok, l->pair, 0, pairs);
     TABLE_GROW(ok, l->leaf, 0, pairs);
+    TABLE_GROW(ok, l->pressed, 0, pairs);
     TABLE_GROW(ok, l->point, 0, points);
     TABLE_GROW(ok, l->facet.at, l->facet.count, facets);
     TABLE_GROW(ok, l->facets_before.at, l->facets_before.count, facets);
@@ -630,7 +631,7 @@ void near_free(near_lists *l)
     for (int b = 0; b < l->bodies; b++) sphere_tree_free(&l->tree[b]);
     void *owned[] = { l->soft, l->tree, l->ball, l->gap, l->is_near,
                       l->candidate, l->at,
-                      l->listed, l->pair, l->point, l->leaf, l->ahead,
+                      l->listed, l->pair, l->pressed, l->point, l->leaf, l->ahead,
                       l->facet.at, l->facets_before.at };
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) free(owned[i]);
     grid_free(&l->grid);

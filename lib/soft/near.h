@@ -107,6 +107,12 @@ typedef struct {
     int over;           // 1: and over that face, nowhere near its rim
 } point_pair;
 
+// A pair of particles that overlapped in this substep.
+typedef struct {
+    int  pair;          // its number
+    real depth;         // m
+} pressed_pair;
+
 // A triangle or a link that may meet an edge or a corner.
 typedef struct {
     int soft, rigid;    // bodies
@@ -123,6 +129,7 @@ typedef struct {
 typedef struct {
     particle_contact *pair;     // of particles
     int  pairs, pair_capacity;
+    pressed_pair *pressed;      // [pair_capacity] for a substep
     point_pair *point;          // particles at rigid bodies; those of the same
                                 // two bodies stand together
     int  points, point_capacity;

@@ -52,6 +52,23 @@ real particle_contact_separate(particle_contact c, particle *p, real friction)
 }
 //<
 
+//> particle-contact-brake
+//>   Once all are parted, friction brakes each pair.
+void particle_contact_brake(particle_contact c, particle *p, vec3 drawn, real most)
+{
+    particle *a = &p[c.a], *b = &p[c.b];
+    vec3 across = vec3_sub(a->position, b->position), up = vec3_unit(across);
+    vec3 slid = vec3_sub(across, vec3_sub(a->previous, b->previous));
+    slid = vec3_add(slid, drawn);
+    slid = vec3_add_scaled(slid, -vec3_dot(slid, up), up);
+    real far = vec3_length(slid), weight = a->inverse_mass + b->inverse_mass;
+    real share = real_min(most / far, 1) / weight;
+    if (!(far > 0) || !(most > 0) || !is_finite(far * share)) return;
+    a->position = vec3_add_scaled(a->position, -share * a->inverse_mass, slid);
+    b->position = vec3_add_scaled(b->position, share * b->inverse_mass, slid);
+}
+//<
+
 //> surface-separate
 //>   A surface does not move, so the particle takes all of it.
 real surface_separate(particle *p, vec3 foot, vec3 normal, real distance,

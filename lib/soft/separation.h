@@ -35,7 +35,12 @@ static inline bool particle_contact_overlaps(const particle_contact *c,
 // masses.
 real particle_contact_separate(particle_contact c, particle *p, real friction);
 
-// The same for particle p and an immovable surface, of which `foot` is the
+// The two were parted.  Takes back how far they slid past each other, and how far
+// what comes next will draw a from b, `drawn` (m), but together no more than `most`
+// (m): friction times what parted them.
+void particle_contact_brake(particle_contact c, particle *p, vec3 drawn, real most);
+
+// The same as the first for particle p and an immovable surface, of which `foot` is the
 // point under p: keeps p `distance` (m) from it along the normal (unit, out of
 // the surface).  Returns the overlap before (m, >= 0); a pinned p stays.
 real surface_separate(particle *p, vec3 foot, vec3 normal, real distance,

@@ -203,7 +203,7 @@ static void drop_pull(particle *p, const line_hold *h)
     vec3 went = vec3_sub(p->position, p->previous);
     if (h->state == LINE_TOUCHES)
         went = vec3_scale(vec3_dot(went, h->normal), h->normal);
-    if (h->state != LINE_FREE) p->previous = vec3_add(p->previous, went);
+    if (h->state >= LINE_TOUCHES) p->previous = vec3_add(p->previous, went);
 }
 
 // Between pins a sheet may be taut, and threads that give by nothing would pull

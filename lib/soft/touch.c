@@ -18,6 +18,7 @@ typedef struct {
     surface_point at;           // the point of the body's surface
     real apart;                 // m, what is kept between the two
     real friction;
+    bool is_after;              // the strands have drawn it already
 } soft_touch;
 
 // How that point touches the body.
@@ -82,6 +83,22 @@ static void note_old(const soft_frame *f, int soft, real old, real apart)
     if (is_deep && f->sunk[soft] != SUNK_NOT) f->sunk[soft] = SUNK;
 }
 
+// m, how far the strands will draw a particle, as they did before: of what friction
+// holds on something fixed, not at all.
+static vec3 hold_drawn(const line_hold *h)
+{
+    return vec3_scale(h->state < LINE_TOUCHES ? 1 : 1 - h->held, h->pull);
+}
+
+static vec3 point_drawn(const soft_touch *x)
+{
+    vec3 drawn = { 0, 0, 0 };
+    for (int k = 0; k < x->corners && !x->is_after; k++)
+        drawn = vec3_add_scaled(drawn, x->weight[k],
+                                hold_drawn(&x->f->hold[x->corner[k]]));
+    return drawn;
+}
+
 static void part_from_moving(const soft_touch *x, particle *p)
 {
     const motion_basis *basis = &x->f->now[x->b].basis;
@@ -96,7 +113,7 @@ static void part_from_moving(const soft_touch *x, particle *p)
     push_particle(x, p, t.arm, vec3_scale(load, t.normal));
 
     // Coulomb: at most so much of the load as takes the sliding back.
-    vec3 slide = touch_of(x, p).slide;
+    vec3 slide = vec3_add(touch_of(x, p).slide, point_drawn(x));
     slide = vec3_add_scaled(slide, -vec3_dot(slide, t.normal), t.normal);
     real length = vec3_length(slide);
     if (!(length > 0)) return;
@@ -113,7 +130,7 @@ static void part_from_moving(const soft_touch *x, particle *p)
 static real held_against(const soft_touch *x, int i)
 {
     const line_hold *h = &x->f->hold[i];
-    if (h->state == LINE_FREE) return 0;
+    if (h->state < LINE_TOUCHES) return 0;
     return real_max(-vec3_dot(h->normal, x->at.normal), 0);
 }
 
@@ -282,7 +299,7 @@ static bool touch_fixed(const soft_frame *f, int i, surface_point at,
     real load = real_max(came - vec3_dot(hold->pull, at.normal),
                          pressed - GIVE_SHARE * pressed_into(hold, at.normal));
     p->position = vec3_add_scaled(p->position, depth, at.normal);
-    bool is_held = hold->state != LINE_FREE;
+    bool is_held = hold->state >= LINE_TOUCHES;
     if (is_held && is_one_side(at.normal, hold->normal)) return true;
     hold->normal = at.normal;
     hold->state = is_held ? LINE_CORNERED : LINE_TOUCHES;
@@ -346,9 +363,9 @@ static bool touch_body(const rigid_view *v, const soft_frame *f,
     if (!nearest_outside(&v->hull, p->position, &pair, reach, &at)) return false;
     if (is_fixed) return touch_fixed(f, pair.particle, at, apart, m);
     soft_touch x = { f, v, &f->body[pair.soft], body_whole(rigid, pair.rigid), 1,
-                { pair.particle }, { 1 }, at, apart, m.friction };
+                { pair.particle }, { 1 }, at, apart, m.friction, false };
     if (!(held_against(&x, pair.particle) > 0))
-        f->hold[pair.particle].state = LINE_FREE;
+        f->hold[pair.particle].state = LINE_MEETS;
     return part_from(&x, BY_PARTICLE);
 }
 
@@ -433,7 +450,7 @@ static bool part_facet(const rigid_view *v, const soft_frame *f,
 {
     soft_touch x = { f, v, &f->body[pair->soft],
                 body_whole(&f->body[pair->rigid], pair->rigid), FACET,
-                .apart = apart,
+                .apart = apart, .is_after = who == BY_WHOLE,
                 .friction = soft_material(f, pair->soft,
                                           pair->rigid).friction };
     vec3 here = { 0, 0, 0 };
@@ -587,26 +604,49 @@ static bool touch_nailed(const soft_frame *f, int i, int nailed, real apart,
     return touch_fixed(f, i, (surface_point){ at, normal }, apart, m);
 }
 
+// When all are parted, friction takes back how far two slid past each other, and how
+// far their strands will draw them, as they did before.  One pair after the other
+// it would take for sliding what the next push takes back.  Two that began too near
+// are still on their way out: strands that are caught in each other draw without end.
+static void brake_pairs(const near_lists *l, const soft_frame *f, int pressed)
+{
+    for (int k = 0; k < pressed; k++) {
+        particle_contact c = l->pair[l->pressed[k].pair];
+        line_hold *a = &f->hold[c.a], *b = &f->hold[c.b];
+        int one = f->owner[c.a], other = f->owner[c.b];
+        bool is_apart = one == other || real_min(l->gap[one], l->gap[other]) >= 1;
+        vec3 drawn = { 0, 0, 0 };
+        if (is_apart) drawn = vec3_sub(hold_drawn(a), hold_drawn(b));
+        particle_contact_brake(c, f->particle, drawn,
+                               soft_material(f, one, other).friction
+                               * l->pressed[k].depth);
+        if (a->state == LINE_FREE) a->state = LINE_MEETS;
+        if (b->state == LINE_FREE) b->state = LINE_MEETS;
+    }
+}
+
 int touch_pairs(const near_lists *l, const soft_frame *f, real *deepest)
 {
-    int touching = 0;
+    int touching = 0, pressed = 0;
     for (int k = 0; k < l->pairs; k++) {
         particle_contact c = l->pair[k];
         int a = f->owner[c.a], b = f->owner[c.b];
-        material m = soft_material(f, a, b);
         if (a != b) c.distance *= real_min(l->gap[a], l->gap[b]);
         bool a_is_nailed = f->particle[c.a].inverse_mass == 0;
         bool b_is_nailed = f->particle[c.b].inverse_mass == 0;
         if (a != b && a_is_nailed != b_is_nailed) {
             touching += touch_nailed(f, a_is_nailed ? c.b : c.a,
-                                     a_is_nailed ? c.a : c.b, c.distance, m);
+                                     a_is_nailed ? c.a : c.b, c.distance,
+                                     soft_material(f, a, b));
             continue;
         }
         if (!particle_contact_overlaps(&c, f->particle)) continue;
-        real depth = particle_contact_separate(c, f->particle, m.friction);
-        touching += depth > 0;
+        real depth = particle_contact_separate(c, f->particle, 0);
+        if (!(depth > 0)) continue;
+        l->pressed[pressed++] = (pressed_pair){ k, depth };
         if (depth > *deepest * c.distance) *deepest = depth / c.distance;
     }
-    return touching;
+    brake_pairs(l, f, pressed);
+    return touching + pressed;
 }
 //<

@@ -19,7 +19,7 @@ static bool is_soft_held(const world *w, int b)
     bool is_held = false;
     for (int i = x->first; i < x->first + body_particles(x); i++)
         is_held |= !(w->pool.at[i].inverse_mass > 0)
-                || w->soft.hold[i].state != LINE_FREE;
+                || w->soft.hold[i].state >= LINE_TOUCHES;
     for (int k = 0; k < w->joints.count && !is_held; k++) {
         const joint *j = &w->joints.joint[k];
         is_held = j->kind == JOINT_PIN && !j->is_broken && j->a == b;

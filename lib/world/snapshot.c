@@ -166,6 +166,7 @@ static void near_store(near_lists *l, store *s)
     STORE_TABLE(s, l->soft, l->softs, l->bodies);
     STORE_ROOM(s, l->is_near, l->bodies);
     STORE_ROOM(s, l->leaf, l->pair_capacity);
+    STORE_ROOM(s, l->pressed, l->pair_capacity);
     grid_store(&l->grid, s);
     trees_store(l, s);
 }

@@ -107,6 +107,27 @@ START_TEST(smooth_particles_are_not_braked)
 }
 END_TEST
 
+// Two in touch, of 3 and 1 kg: the first slid by 0.3 m, and its strands will draw
+// it by 0.1 m more.  All of that is taken back, by their masses, or as much of it as
+// is allowed; nothing along the line between them.
+// Rejects: sliding that is taken back alone, which lets a cloth creep off a rope; a
+// brake without a bound; momentum from nothing.
+START_TEST(what_slid_and_will_be_drawn_is_taken_back)
+{
+    for (int k = 0; k < 2; k++) {
+        particle p[2] = { at_rest(vec3_make(0, 1, 0), 3),
+                          at_rest(vec3_make(0, 0, 0), 1) };
+        p[0].previous = vec3_make(-0.3, 2, 0);
+        real most = k == 0 ? 1 : 0.2, takes = k == 0 ? 0.4 : 0.2;
+        particle_contact_brake((particle_contact){ 0, 1, 1 }, p,
+                               vec3_make(0.1, -5, 0), most);
+        ck_assert_double_eq_tol(p[0].position.x, -0.25 * takes, ROUNDING);
+        ck_assert_double_eq_tol(p[1].position.x, 0.75 * takes, ROUNDING);
+        ck_assert(p[0].position.y == 1 && p[1].position.y == 0);
+    }
+}
+END_TEST
+
 // A distance whose square is more than that of the particles, and whose root is
 // not.  Rejects: a push of 0, that is counted.
 START_TEST(particles_that_only_rounding_overlaps_are_left)
@@ -226,6 +247,8 @@ START_TEST(finite_input_gives_finite_output)
         }
         particle_contact_separate((particle_contact){ 0, 1, hostile(&seed) }, p,
                                   random_fraction(&seed));
+        particle_contact_brake((particle_contact){ 0, 1, 1 }, p,
+                               hostile_vec3(&seed), hostile(&seed));
         surface_separate(&p[k % 2], hostile_vec3(&seed),
                          hostile_normal(&seed), hostile(&seed),
                          random_fraction(&seed));
@@ -261,6 +284,7 @@ int main(void)
         coincident_particles_are_left,
         particles_brake_and_pinned_ones_stay,
         smooth_particles_are_not_braked,
+        what_slid_and_will_be_drawn_is_taken_back,
         particles_that_only_rounding_overlaps_are_left,
         particle_is_kept_off_a_surface,
         little_sliding_is_undone_and_no_more,

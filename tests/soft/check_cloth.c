@@ -545,7 +545,7 @@ static real strip_goes(strip_on on, bool is_even, real more, real size, real dt)
     where.z = vec3_make(is_rope ? -1 : 1, 0, 0);
     where.is_static = on == ON_ROD;
     int d = add(&drum, where), c = add_at(&plan, 0, 2 * size, 0);
-    if (on == ON_MOVED_ROD) world_set_kinematic(&w, d, true);
+    if (on == ON_MOVED_ROD) world_set_kind(&w, d, BODY_KINEMATIC);
     if (is_rope) world_pin(&w, d, 0);
     if (is_rope) world_pin(&w, d, ROPE);
     real big = is_rope

@@ -663,11 +663,15 @@ static void gather_active(contact_cache *c, const cache_frame *f)
 }
 
 // Within a frame what was to meet on one side of a body meets on no other: if it is
-// through, or past, by turning since it was asked, it comes back.
-static bool is_through(const contact *now, const contact *was)
+// through, or past, by turning since it was asked, it comes back.  What stands on a
+// floor and turns there meets the sides of no neighbour: those are seen to between
+// frames (seams.h).
+static bool is_through(const cache_frame *f, const contact *now, const contact *was)
 {
-    return was->is_ahead && (now->count == 0
-        || vec3_dot(now->normal, was->normal) < 0);
+    real along = vec3_dot(now->normal, was->normal);
+    bool slides = seams_slider(f, was->piece_a, was->piece_b) >= 0;
+    return (was->is_ahead && (now->count == 0 || along < 0))
+        || (slides && was->count > 0 && now->count > 0 && along < CONTACT_SAME);
 }
 
 // A floor of pieces is a plane until the frame ends: one piece alone has edges that
@@ -688,7 +692,7 @@ void cache_again(contact_cache *c, const cache_frame *f, int k)
     p->is_asked = true;
     make_entry(c, f, p);
     query_again(c, f, p);
-    if (b >= 0 && is_through(c->active[k], &was)) {
+    if (b >= 0 && is_through(f, c->active[k], &was)) {
         *c->active[k] = was;
         p->count = (signed char)was.count;
         p->seen[0] = -1;                    // it is kept for this frame only

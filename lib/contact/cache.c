@@ -475,45 +475,36 @@ static bool is_asked_ahead(const shape *s, bool slides)
     return s->rim > 0 ? slides : s->round > 0 && s->particles <= 2;
 }
 
-// m, how far b has gone since it was placed.
-static vec3 gone_since(const contact_cache *c, const cache_frame *f, int b)
-{
-    return vec3_sub(f->now[b].frame.center, c->placed[b].center);
-}
-
-static bool query_ahead(const contact_cache *cache, const cache_frame *f,
-                        cache_entry *e, collider a, collider b, real margin,
+static bool query_ahead(const cache_frame *f, const contact *c, collider a,
+                        collider b, real margin, query_cache *carried,
                         real *closes, manifold *m)
 {
-    const contact *c = &e->contact;
     int slider = seams_slider(f, c->piece_a, c->piece_b);
     bool is_a = is_asked_ahead(a.shape, slider == c->piece_a);
     collider *round = is_a ? &a : &b;
     vec3 way = vec3_sub(f->ahead[c->piece_a].way, f->ahead[c->piece_b].way);
-    vec3 late = vec3_sub(gone_since(cache, f, c->piece_a),
-                         gone_since(cache, f, c->piece_b)), at[MOST_ROUND];
+    vec3 at[MOST_ROUND];
     real least = GLIDES * (round->shape->round + round->shape->rim);
     real gone = 0, turn = f->ahead[c->piece_a].angle + f->ahead[c->piece_b].angle;
     const vec3 *now = round->at;
     if (!is_a && !is_asked_ahead(b.shape, slider == c->piece_b)) {
-        *m = find_touch(f, c, &a, &b, margin, &e->carried, closes);
+        *m = find_touch(f, c, &a, &b, margin, carried, closes);
         return false;
     }
     round->at = at;
     round->in_range = false;
     for (int k = 0; ; k++) {
-        vec3 shift = vec3_add_scaled(late, gone, way);
         for (int v = 0; v < round->shape->particles; v++)
-            at[v] = vec3_add_scaled(now[v], is_a ? 1 : -1, shift);
+            at[v] = vec3_add_scaled(now[v], is_a ? gone : -gone, way);
         if (k == CONTACT_ROUNDS || !(vec3_length(way) > least)) break;
-        query_result r = query_nearest(&a, &b, HUGE_VAL, &e->carried);
+        query_result r = query_nearest(&a, &b, HUGE_VAL, carried);
         real closing = -vec3_dot(way, r.normal);
         real touches = gone + r.at.gap / closing;
         if (!(r.at.gap > 0) || !(closing > 0) || gone == 1
             || (touches >= 1 && slider < 0)) break;
         gone = real_min(touches, 1);
     }
-    *m = collide_rigid(&a, &b, *closes + margin, turn, &e->carried);
+    *m = collide_rigid(&a, &b, *closes + margin, turn, carried);
     return gone > 0;
 }
 //<
@@ -547,11 +538,11 @@ static void query_bodies(contact_cache *c, const cache_frame *f, cache_pair *p,
     if (swept == SWEPT_TOUCHES || p->passes) return;
     real slack = slack_of(c, f, a, b), reach = pair_reach(f, a, b);
     manifold m;
-    bool is_ahead = query_ahead(c, f, e, x, y, 2 * slack, &reach, &m);
+    bool is_ahead = query_ahead(f, now, x, y, 2 * slack, &e->carried, &reach,
+                                &m);
     cache_take(now, &m, f, is_ahead);
     date(c, f, p, a, b, reach);
-    if (is_ahead) p->margin = -1;           // in the next frame the normal is another
-    else if (m.count == 0)
+    if (m.count == 0 && !is_ahead)
         p->near = m.point[0].gap - beside_of(c, f, a, b) + paths_of(c, a, b);
 }
 

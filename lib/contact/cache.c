@@ -1,6 +1,7 @@
 //> cache-update
 //>   An update has seven rounds, which the next pieces of code take in turn.
 #include "cache.h"
+#include "cylinder.h"
 #include "seams.h"
 #include "table.h"
 
@@ -474,27 +475,30 @@ static manifold find_touch(const cache_frame *f, const contact *c,
 // the other, by the part of its way that closes the gap along the normal; and again,
 // for there the normal is another.  On a floor, one that does not touch in the frame
 // is asked as it will stand at the end: a ball that comes to a crease sees the edge
-// ahead of it, along a normal that leans back.  Returns whether one was shifted.
+// ahead of it, along a normal that leans back; and so does a cylinder that slides or
+// rolls there.  Returns whether one was shifted.
 static const real GLIDES = 0.02;            // tuned, radii: less does not count
 
-enum { CORE = 2 };
+enum { MOST_ROUND = 2 + 2 * CYLINDER_SIDES };
 
-static bool is_ball_or_rod(const shape *s)
+static bool is_asked_ahead(const shape *s, bool slides)
 {
-    return s->round > 0 && s->particles <= CORE;
+    return s->rim > 0 ? slides : s->round > 0 && s->particles <= 2;
 }
 
 static bool query_ahead(const cache_frame *f, const contact *c, collider a,
                         collider b, real margin, query_cache *carried,
                         real *closes, manifold *m)
 {
-    bool is_a = is_ball_or_rod(a.shape);
+    int slider = seams_slider(f, c->piece_a, c->piece_b);
+    bool is_a = is_asked_ahead(a.shape, slider == c->piece_a);
     collider *round = is_a ? &a : &b;
-    vec3 way = vec3_sub(f->ahead[c->piece_a].way, f->ahead[c->piece_b].way), at[CORE];
+    vec3 way = vec3_sub(f->ahead[c->piece_a].way, f->ahead[c->piece_b].way);
+    vec3 at[MOST_ROUND];
+    real least = GLIDES * (round->shape->round + round->shape->rim);
     real gone = 0, turn = f->ahead[c->piece_a].angle + f->ahead[c->piece_b].angle;
     const vec3 *now = round->at;
-    bool slides = seams_slider(f, c->piece_a, c->piece_b) >= 0;
-    if (!is_ball_or_rod(round->shape)) {
+    if (!is_a && !is_asked_ahead(b.shape, slider == c->piece_b)) {
         *m = find_touch(f, c, &a, &b, margin, carried, closes);
         return false;
     }
@@ -503,13 +507,12 @@ static bool query_ahead(const cache_frame *f, const contact *c, collider a,
     for (int k = 0; ; k++) {
         for (int v = 0; v < round->shape->particles; v++)
             at[v] = vec3_add_scaled(now[v], is_a ? gone : -gone, way);
-        if (k == CONTACT_ROUNDS
-            || !(vec3_length(way) > GLIDES * round->shape->round)) break;
+        if (k == CONTACT_ROUNDS || !(vec3_length(way) > least)) break;
         query_result r = query_nearest(&a, &b, HUGE_VAL, carried);
         real closing = -vec3_dot(way, r.normal);
         real touches = gone + r.at.gap / closing;
         if (!(r.at.gap > 0) || !(closing > 0) || gone == 1
-            || (touches >= 1 && !slides)) break;
+            || (touches >= 1 && slider < 0)) break;
         gone = real_min(touches, 1);
     }
     *m = collide_rigid(&a, &b, *closes + margin, turn, carried);
@@ -658,11 +661,15 @@ static void gather_active(contact_cache *c, const cache_frame *f)
 }
 
 // Within a frame what was to meet on one side of a body meets on no other: if it is
-// through, or past, by turning since it was asked, it comes back.
-static bool is_through(const contact *now, const contact *was)
+// through, or past, by turning since it was asked, it comes back.  What stands on a
+// floor and turns there meets the sides of no neighbour: those are seen to between
+// frames (seams.h).
+static bool is_through(const cache_frame *f, const contact *now, const contact *was)
 {
-    return was->is_ahead && (now->count == 0
-        || vec3_dot(now->normal, was->normal) < 0);
+    real along = vec3_dot(now->normal, was->normal);
+    bool slides = seams_slider(f, was->piece_a, was->piece_b) >= 0;
+    return (was->is_ahead && (now->count == 0 || along < 0))
+        || (slides && was->count > 0 && now->count > 0 && along < CONTACT_SAME);
 }
 
 // A floor of pieces is a plane until the frame ends: one piece alone has edges that
@@ -683,7 +690,7 @@ void cache_again(contact_cache *c, const cache_frame *f, int k)
     p->is_asked = true;
     make_entry(c, f, p);
     query_again(c, f, p);
-    if (b >= 0 && is_through(c->active[k], &was)) {
+    if (b >= 0 && is_through(f, c->active[k], &was)) {
         *c->active[k] = was;
         p->count = (signed char)was.count;
         p->seen[0] = -1;                    // it is kept for this frame only

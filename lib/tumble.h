@@ -96,9 +96,8 @@ typedef struct {
                             // stacks, heavy loads, joints and cloth take more,
                             // and what does not touch them does not
     int    most_substeps;   // a hard step takes more of them, up to this, 200;
-                            // what is done again, and shorter, is on top; none
-                            // takes more than 10000 in all: one that would have
-                            // more, for it is divided, is a failure
+                            // none takes more than 10000 in all: one that would
+                            // have more, for it is divided, is a failure
     tumble_vec3 gravity;    // m/s^2, (0, -9.81, 0)
     double friction;        // of bodies and planes that have none of their own,
                             // 0.5

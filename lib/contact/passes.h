@@ -109,7 +109,6 @@ typedef struct {
     real4 offset;       // m, of the gap
     real4 own;          // 1: they push where A's point is; 0: where B's is
     real4 has;          // 1: there is such a point; 0: not
-    real4 began;        // N s, its impulse before this substep
     real4 blow;         // N s, what of it was given at once, see blow.h
 } block_place;
 //<
@@ -158,7 +157,6 @@ typedef struct {
     real4 round_a, round_b;             // m, see contact
     real4 per_near;                     // 1/m, of a gap that is all but closed
     real4 radius;                       // m, the smaller one
-    real4 began[RUBS];                  // rub before this substep
     block_point *point;                 // [points] of the solver's
     block_place *place;                 // [points]
 } block;

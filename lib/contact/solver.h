@@ -63,10 +63,6 @@ void solver_relax(contact_solver *s, const solver_frame *f, motion *velocity,
 // After impacts, before solver_warm: `moved` has changed, and with it the gaps.
 void solver_update_gaps(contact_solver *s, const solver_frame *f,
                         const motion *moved);
-// Before a substep that may have to be done again; and to do it again: the
-// impulses are what they were.
-void solver_mark(contact_solver *s);
-void solver_rewind(contact_solver *s);
 // The next substep is so many times as long: its impulses are, too.
 void solver_scale(contact_solver *s, real times);
 

@@ -32,14 +32,6 @@ void ledger_open(world *w);
 // nothing unless options.ledger is set.
 void ledger_book(world *w, int account);
 
-// What is booked so far, and back to that: a frame is begun again.
-typedef struct {
-    ledger_entry account[LEDGERS], now;
-} ledger_page;
-
-ledger_page ledger_mark(const world *w);
-void ledger_rewind(world *w, const ledger_page *to);
-
 // From where the bodies that are awake have been moved to, the middle of the
 // move that their velocities are of is so far away (s); 0: their particles say.
 void ledger_halfway(world *w, real seconds);

@@ -17,12 +17,9 @@ int substeps_choose(world *w, const island *i, substep_choice *c);
 // And never more than this: what has fewer for that is counted in report.cut.
 int substeps_all(const world *w);
 
-// After a substep of h (s), when `left` of them were to go, it among them: into
-// how many must that time be divided instead, because its joints swung faster
-// than it could follow?  0: it is good.  Not where there is cloth or rope, which
-// has moved.  At most options.most_substeps in a frame; those that are done
-// again are on top.
-int substeps_again(const world *w, real h, int left);
+// When `left` substeps of h (s) are to go: into how many must that time be divided for
+// what joints have felt in the last?  (Where there is cloth or rope, into as many.)
+int substeps_left(const world *w, real h, int left);
 
 #endif
 //<

@@ -40,7 +40,7 @@ typedef struct {
     void *chooser;
 } world_host;
 
-// In all parts of a frame, with those that are done again, together.
+// In all parts of a frame together.
 enum { ALL_SUBSTEPS = 10000 };
 
 typedef struct {
@@ -180,6 +180,7 @@ typedef struct {
     real pace;          // rad/s, of the fastest swing about its joints
     real lasts;         // s, in which a spring would bring it home at its speed
     bool rubs;          // a contact of it presses
+    bool is_held;       // joints hold it to what no pull moves
     bool hangs;         // it has joints, or is soft:
     bool is_soft;       // it has ropes or cloths
     bool is_calm;       // none of it flies
@@ -235,10 +236,8 @@ typedef struct {
     char        *fresh;     // [bodies] it got them in the last substep
     char        *going;     // [bodies] see advance.c
     char        *touches;   // [bodies] it moves, and has contacts or joints
-    real elapsed, elapsed_then;         // s, since the substeps began
+    real elapsed;            // s, since the substeps began
     int          motions;
-    solver_body *now_then;  // [bodies] before this substep, which may have to be
-    motion *velocity_then, *moved_then;         // done again
     char        *held;      // [bodies] by contacts or joints, in the last substep
     body_load   *load;      // [bodies]
     bool is_loaded;         // some are not 0
@@ -270,8 +269,7 @@ typedef struct {
     ZEROS(ahead) ZEROS(reach) ZEROS(halfway) ZEROS(rung) ZEROS(is_awake)      \
     FILLED(moves) FILLED(island) FILLED(by_rung) FILLED(asked) FILLED(middle) \
     FILLED(turned) FILLED(lying) FILLED(began) FILLED(awake) FILLED(fresh)    \
-    FILLED(going) FILLED(touches) FILLED(now_then) FILLED(velocity_then)      \
-    FILLED(moved_then) KEPT(now)
+    FILLED(going) FILLED(touches) KEPT(now)
 //<
 
 //> world-struct

@@ -121,6 +121,7 @@ typedef struct {
                                 // of what it should change
     real share;                 // of an error that a substep takes back
     real swing;                 // 1/(kg m), see linkage.c
+    real hung;                  // rad/s, of a swing under a body's own weight
     real size;                  // m, the smaller radius of the two bodies
     real want[JOINT_ROWS];      // m/s, rad/s: what the impulses are to change
     real since[JOINT_ROWS];     // N s, N m s: what they were given since the tree

@@ -1359,20 +1359,6 @@ static void find_rows(linkage *l, const linkage_pass *q)
         g->is_ready = g->is_solved = g->is_settled = false;
 }
 
-// A body that a force holds at the end of its arm swings about its centre: the
-// square of that angular frequency is the moment that a small turn brings,
-// force times arm, beside the moment of inertia.  Here for 1 N.  However the
-// body turns, this stays.
-static real swing_of(const linkage_pass *q, int b, vec3 local)
-{
-    const rigid_frame *f = joined_frame(q, b);
-    vec3 arm = vec3_sub(frame_point(f, local), f->center);
-    real sum = 0, length = vec3_length(arm);
-    for (int t = 0; t < TURNS; t++)
-        sum += vec3_length_squared(vec3_cross(basis_of(q->f, b)->turn[t], arm));
-    return length > 0 ? sum / length : 0;
-}
-
 static real joined_size(const linkage_pass *q, int b)
 {
     return moves(q->f, b) ? q->f->body[b].radius : HUGE_VAL;
@@ -1398,8 +1384,6 @@ static void find_sizes(linkage *l, const linkage_pass *q)
         joint_rows *r = &l->rows[k];
         if (l->role[k] == JOINT_IDLE) continue;
         l->is_driven |= j->extra > 0;
-        r->swing = real_max(swing_of(q, j->a, j->local_a),
-                            swing_of(q, j->b, j->local_b));
         r->size = real_min(joined_size(q, j->a), joined_size(q, j->b));
     }
     for (int k = 0; k < l->groups; k++) find_group(l, q, &l->group[k]);
@@ -1773,15 +1757,25 @@ static real turn_of_way(const linkage_pass *q, const joint *j)
     return j->most > 0 ? vec3_length(across) / (j->most * j->most) : 0;
 }
 
-// rad/s, of a body which hangs there with its own weight alone.  What falls has none:
-// there it swings only as its joint pulls.
-static real turn_of_hung(const linkage_pass *q, const joint *j, int b, vec3 local,
-                         bool is_held)
+// A body that a force holds at the end of its arm swings about its centre: the
+// square of that angular frequency is the moment that a small turn brings,
+// force times arm, beside the moment of inertia.  Here for 1 N.  However the
+// body turns, this stays.
+static real swing_of(const linkage_pass *q, int b, vec3 local)
 {
-    if (!moves(q->f, b)) return 0;
-    real pull = vec3_length(q->f->gravity) / basis_of(q->f, b)->inverse_mass;
-    if (!is_held) pull = real_min(pull, j->force);
-    return sqrt(pull * swing_of(q, b, local));
+    const rigid_frame *f = joined_frame(q, b);
+    vec3 arm = vec3_sub(frame_point(f, local), f->center);
+    real sum = 0, length = vec3_length(arm);
+    for (int t = 0; t < TURNS; t++)
+        sum += vec3_length_squared(vec3_cross(basis_of(q->f, b)->turn[t], arm));
+    return length > 0 ? sum / length : 0;
+}
+
+// rad/s, that of a body which hangs there with its own weight alone.
+static real hung_swing(const linkage_pass *q, int b, real swing)
+{
+    real inverse = basis_of(q->f, b)->inverse_mass;
+    return inverse > 0 ? sqrt(vec3_length(q->f->gravity) / inverse * swing) : 0;
 }
 
 // A free flywheel turns its axle, so all spin counts for its orbit.  Where something
@@ -1793,27 +1787,31 @@ static real pace_of(const linkage *l, const linkage_pass *q, int k)
 {
     const joint *j = &l->joint[k];
     const joint_rows *r = &l->rows[k];
-    bool is_held = r->is_held;
     vec3 a = spin_of(q, j->a), b = spin_of(q, j->b);
-    real turn = real_max(turn_of_way(q, j),
-                         real_max(turn_of_hung(q, j, j->a, j->local_a, is_held),
-                                  turn_of_hung(q, j, j->b, j->local_b, is_held)));
-    real spin = real_max(vec3_length(a), vec3_length(b));
-    real held = r->rubs ? real_max(turn_of_held(q, j, j->a, a),
-                                   turn_of_held(q, j, j->b, b)) : spin;
+    real spin = real_max(vec3_length(a), vec3_length(b)), held = spin;
+    real swing = sqrt(j->force * r->swing);
+    if (r->rubs) held = real_max(turn_of_held(q, j, j->a, a),
+                                 turn_of_held(q, j, j->b, b));
+    // What falls has no weight: there a body swings only as its joint pulls.
+    real hung = r->is_held ? r->hung : real_min(r->hung, swing);
+    real turn = real_max(held, real_max(hung, turn_of_way(q, j)));
     real most = r->rubs ? RUBBED * TURN_MOST : TURN_MOST;
-    real swing = sqrt(j->force * r->swing) * (l->role[k] == JOINT_ALONE ? 2 : 1);
-    return real_max(real_max(spin, swing), real_max(turn, held) / most);
+    if (l->role[k] == JOINT_ALONE) swing *= 2;
+    return real_max(real_max(spin, swing), turn / most);
 }
 
 real linkage_pace(linkage *l, const linkage_pass *q, int k, bool rubs, bool is_held)
 {
+    const joint *j = &l->joint[k];
     joint_rows *r = &l->rows[k];
     real before = r->pace;
+    r->pace = 0;
+    if (j->kind == JOINT_PIN) return before;
+    real a = swing_of(q, j->a, j->local_a), b = swing_of(q, j->b, j->local_b);
+    r->swing = real_max(a, b);
+    r->hung = real_max(hung_swing(q, j->a, a), hung_swing(q, j->b, b));
     r->rubs = rubs;
     r->is_held = is_held;
-    r->pace = 0;
-    if (l->joint[k].kind == JOINT_PIN) return before;
     return real_max(before, pace_of(l, q, k));
 }
 //<

@@ -59,13 +59,14 @@ endef
 # What a figure takes from other folders, beside the library.
 WITH_gjk := rules/04-distance-1.o live/plane.o
 $(foreach f,dot epa climb shares nearest slab regions clip keep shadow tin needle,$(eval WITH_$f := live/plane.o))
+WITH_carry := tests/plain_solver.o
 WITH_relax := tests/plain_solver.o
 WITH_sag := tests/plain_solver.o
 WITH_hard := live/live_world.o live/view.o tests/hard_set.o tests/hard_drape_set.o
 WITH_sandbox := live/view.o $(SCENES:%.c=figures/%.o)
 WITH_drape := figures/runner.o tests/poses.o
 WITH_room := figures/runner.o tests/poses.o
-$(foreach f,pile carry fabric chain energy canopy,$(eval WITH_$f := live/live_world.o))
+$(foreach f,pile fabric chain energy canopy,$(eval WITH_$f := live/live_world.o))
 # The first program of the book runs on a module of the next chapter, and what turns in
 # a plane is linked with chapter 04.
 FLOOR_bounce := 01

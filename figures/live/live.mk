@@ -5,9 +5,11 @@
 define LIVES
 00/bounce
 00/dot
+00/leap
 00b/carts
 00b/swing
 00b/spin
+00b/crate
 01/orbit
 02/rope
 02/phase
@@ -34,6 +36,7 @@ define LIVES
 12/strand
 12/thomas
 12/bend
+13/four
 13/pile
 13/carry
 13/top
@@ -50,6 +53,7 @@ define LIVES
 17/chain
 17/front
 18/energy
+18/island
 18/canopy
 19/topple
 19/sandbox
@@ -66,7 +70,7 @@ WITH_hard := live/live_world.o live/view.o tests/hard_set.o tests/hard_drape_set
 WITH_sandbox := live/view.o $(SCENES:%.c=figures/%.o)
 WITH_drape := figures/runner.o tests/poses.o
 WITH_room := figures/runner.o tests/poses.o
-$(foreach f,pile fabric chain energy canopy,$(eval WITH_$f := live/live_world.o))
+$(foreach f,pile fabric chain energy canopy island,$(eval WITH_$f := live/live_world.o))
 # The first program of the book runs on a module of the next chapter, and what turns in
 # a plane is linked with chapter 04.
 FLOOR_bounce := 01

@@ -50,7 +50,7 @@ static void move(int number, vec3 to)
 // The crate stays in the middle, and the floor goes by.
 static void draw_floor(void)
 {
-    vec3 ground[4] = { { -4, -1, 0 }, { 4, -1, 0 }, { 4, 0, 0 }, { -4, 0, 0 } };
+    vec3 ground[4] = { { -4, -2, 0 }, { 4, -2, 0 }, { 4, 0, 0 }, { -4, 0, 0 } };
     live_band(LIVE_GREY, ground, 4);
     live_line(LIVE_QUIET, &ground[2], 2);
     real first = floor(x / 0.5) * 0.5 - x;

@@ -76,7 +76,7 @@ static void draw(void)
         char text[8];
         snprintf(text, sizeof text, "%d m", y);
         live_line(LIVE_RULE, (vec3[]){ { -1, y, 0 }, { 8, y, 0 } }, 2);
-        live_label(LIVE_QUIET, vec3_make(-0.36, y + 0.05, 0), text);
+        live_label(LIVE_QUIET, vec3_make(-0.82, y + 0.05, 0), text);
     }
     live_dashes(LIVE_QUIET, ahead, MOMENTS);
     live_line(LIVE_BLUE, trail, trails);
@@ -95,7 +95,7 @@ static unsigned long long hash(void)
 const live_figure figure = {
     .name = "leap",
     .says = "A ball bounces to the right by explicit Euler, each time higher than before; dashes show the exact path, always equally high",
-    .pane = { { -0.42, -0.3, 6.84, 3.3 } },
+    .pane = { { -0.9, -0.3, 7.3, 3.4 } },
     .dial = { [STEPS] = { "steps a second", NULL, 0, 3, 1, 1, "30|60|120|480", true } },
     .begin = begin, .step = step, .draw = draw, .hash = hash, .move = move,
 };

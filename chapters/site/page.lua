@@ -436,7 +436,12 @@ local function quotes(list)
   return list
 end
 
-local filter = { Link = Link, Inlines = Inlines, Math = Math, Blocks = Blocks }
+-- The page in which the little program is written has a name in the text.
+local function Emph(words)
+  if workshop and not whole and written ~= 'little' and pandoc.utils.stringify(words) == 'Your engine' then return pandoc.Link({ words }, 'little.html') end
+end
+
+local filter = { Link = Link, Emph = Emph, Inlines = Inlines, Math = Math, Blocks = Blocks }
 local function chapter(blocks, meta)
   if whole then page = names.page[pandoc.utils.stringify(blocks[1].content)] end
   blocks = pandoc.walk_block(pandoc.Div(blocks), { Inlines = quotes }).content

@@ -5,9 +5,11 @@
 define LIVES
 00/bounce
 00/dot
+00/leap
 00b/carts
 00b/swing
 00b/spin
+00b/crate
 01/orbit
 02/rope
 02/phase
@@ -34,6 +36,7 @@ define LIVES
 12/strand
 12/thomas
 12/bend
+13/four
 13/pile
 13/carry
 13/top
@@ -50,6 +53,7 @@ define LIVES
 17/chain
 17/front
 18/energy
+18/island
 18/canopy
 19/topple
 19/sandbox
@@ -59,12 +63,13 @@ endef
 # What a figure takes from other folders, beside the library.
 WITH_gjk := rules/04-distance-1.o live/plane.o
 $(foreach f,dot epa climb shares nearest slab regions clip keep shadow tin needle,$(eval WITH_$f := live/plane.o))
+WITH_carry := tests/plain_solver.o
 WITH_relax := tests/plain_solver.o
 WITH_sag := tests/plain_solver.o
 WITH_hard := live/live_world.o live/view.o tests/hard_set.o tests/hard_drape_set.o tests/experiments.o
 WITH_sandbox := live/view.o $(SCENES:%.c=figures/%.o)
 $(foreach f,drape room,$(eval WITH_$f := figures/runner.o tests/poses.o tests/experiments.o))
-$(foreach f,pile carry fabric chain energy canopy,$(eval WITH_$f := live/live_world.o))
+$(foreach f,pile fabric chain energy canopy island,$(eval WITH_$f := live/live_world.o))
 # The first program of the book runs on a module of the next chapter, and what turns in
 # a plane is linked with chapter 04.
 FLOOR_bounce := 01

@@ -21,7 +21,7 @@ fi
 
 # The caption of a figure, from the picture's line in the chapter.
 caption() {
-    sed -n "s|^!\[\(.*\)\](../figures/live/$1.webp)\$|\1|p" chapters/"$chapter"-*.md | head -n 1
+    cat chapters/"$chapter"*.md | sed -n "s|^!\[\(.*\)\](../figures/live/$1.webp)\$|\1|p" | head -n 1
 }
 {
     cat <<'HEAD'

@@ -42,11 +42,13 @@ export async function makeDesk(place, plan) {
   const end = button('Stop', () => stop('Stopped.'), { hidden: true });
   const file = make('input', { type: 'file', accept: '.c,text/x-c,text/plain', hidden: true });
   file.onchange = async () => {
-    if (file.files[0]) { desk.text = await file.files[0].text(); state.textContent = `${file.files[0].name} is open here.`; }
+    const [one] = file.files, text = await one?.text();
     file.value = '';
+    if (/[\0\ufffd]/.test(text)) desk.say(make('p', { className: 'workshop-bad' }, `${one.name} is no text: what you wrote stays.`));
+    else if (one) desk.replace(text, `${one.name} is open here. `);
   };
   const more = make('div', { className: 'workshop-more' }, ...plan.more,
-    button('Begin again', again), button('Save as a file', save), button('Open a file', () => file.click()), file);
+    button('Begin again', () => desk.replace(plan.start(), 'As at the beginning. ')), button('Save as a file', save), button('Open a file', () => file.click()), file);
   const room = make('div', { className: 'workshop-editor' });
   place.replaceChildren(make('div', { className: 'workshop-bar' }, act, end, state, bar), room, more, said);
   if (!isHere()) state.textContent = `The first time brings a compiler, ${megabytes()} MB${matchMedia('(pointer: coarse)').matches ? '.' : '; Ctrl-Enter does the same.'}`;
@@ -57,6 +59,12 @@ export async function makeDesk(place, plan) {
     get text() { return desk.editor.text; },
     set text(text) { desk.editor.text = text; },
     say(...nodes) { said.replaceChildren(...nodes); },
+    // What is taken away can be had back once.
+    replace(text, words) {
+      const old = desk.text;
+      desk.text = text;
+      desk.say(make('p', {}, words, button('Take that back', () => { desk.text = old; desk.say(); })));
+    },
     tell(text, part) {
       state.textContent = text;
       bar.hidden = part === undefined;
@@ -96,13 +104,6 @@ export async function makeDesk(place, plan) {
   function reveal() {
     const first = said.firstElementChild;
     if (first && first.getBoundingClientRect().bottom > innerHeight) said.scrollIntoView({ block: 'nearest' });
-  }
-
-  // What is taken away can be had back once.
-  function again() {
-    const old = desk.text;
-    desk.text = plan.start();
-    desk.say(make('p', {}, 'As at the beginning. ', button('Take that back', () => { desk.text = old; desk.say(); })));
   }
 
   function save() {

@@ -78,9 +78,7 @@ export async function openLittle(place) {
 
   // The book's program of the stage in the place of the reader's, which can be had back.
   async function bring() {
-    const old = desk.text;
-    desk.text = (await facts()).source;
-    desk.say(make('p', {}, `The book’s program of stage ${stage}. `, button('Take that back', () => { desk.text = old; desk.say(); })));
+    desk.replace((await facts()).source, `The book’s program of stage ${stage}. `);
   }
 
   async function made(draws) {

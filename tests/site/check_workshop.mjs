@@ -188,8 +188,17 @@ async function checkReader() {
   await page.click('text=Take that back');
   check(await text() === right, 'and that is taken back');
   await put(page, stub);
-  await page.setInputFiles('.workshop input[type=file]', saved);
-  await page.waitForFunction(text => document.querySelector('[data-exercise]').desk.text === text, right);
+  const opened = async () => {
+    await page.setInputFiles('.workshop input[type=file]', saved);
+    await page.waitForFunction(text => document.querySelector('[data-exercise]').desk.text === text, right);
+  };
+  await opened();
+  await page.click('text=Take that back');
+  check(await text() === stub, 'what was there before a file was opened can be had back');
+  await page.setInputFiles('.workshop input[type=file]', { name: 'photo.c', mimeType: 'text/x-c', buffer: Buffer.from([0xff, 0xd8, 0, 1]) });
+  await page.waitForFunction(() => /photo\.c is no text/.test(document.querySelector('.workshop-said').textContent));
+  check(await text() === stub, 'what is no text is not opened');
+  await opened();
   await page.click('text=Hint 1 of 3');
   check(/Write the step first/.test(await said(page)), 'the first hint is told');
 

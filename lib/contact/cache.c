@@ -661,15 +661,15 @@ static void gather_active(contact_cache *c, const cache_frame *f)
 }
 
 // Within a frame what was to meet on one side of a body meets on no other: if it is
-// through, or past, by turning since it was asked, it comes back.  What stands on a
-// floor and turns there meets the sides of no neighbour: those are seen to between
+// through, or past, by turning since it was asked, it comes back.  What stands on
+// something fixed and turns there meets the sides of no neighbour: those are seen to between
 // frames (seams.h).
 static bool is_through(const cache_frame *f, const contact *now, const contact *was)
 {
     real along = vec3_dot(now->normal, was->normal);
-    bool slides = seams_slider(f, was->piece_a, was->piece_b) >= 0;
+    bool lies = !f->moves[was->piece_a] || !f->moves[was->piece_b];
     return (was->is_ahead && (now->count == 0 || along < 0))
-        || (slides && was->count > 0 && now->count > 0 && along < CONTACT_SAME);
+        || (lies && was->count > 0 && now->count > 0 && along < CONTACT_SAME);
 }
 
 // A floor of pieces is a plane until the frame ends: one piece alone has edges that

@@ -583,7 +583,7 @@ static bool lay_cylinder(const slider *s, side *x, int face, vec3 m)
     contact *t = x->contact;
     const contact was = *t;
     manifold lowest;
-    if (!(s->f->body[s->a].shape->rim > 0) || s->f->moves[x->b] || t->is_ahead
+    if (!(s->f->body[s->a].shape->rim > 0) || s->f->moves[x->b]
         || !find_lowest(s, x, face, m, &lowest)) return false;
     x->n = m;
     t->normal = t->piece_a == s->a ? m : vec3_scale(-1, m);

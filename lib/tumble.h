@@ -96,8 +96,9 @@ typedef struct {
                             // stacks, heavy loads, joints and cloth take more
                             // by themselves; what they do not touch does not
     int    most_substeps;   // a hard step takes up to so many, default 200.  A
-                            // step that is divided into parts, and would need
-                            // more than 10000 in all of them, is a failure
+                            // substep that has to be done again in shorter
+                            // ones adds to them.  A step that would need more
+                            // than 10000 in all is a failure
     tumble_vec3 gravity;    // m/s^2, default (0, -9.81, 0)
     double friction;        // coefficient of bodies and planes that have none of
                             // their own, default 0.5

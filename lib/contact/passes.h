@@ -107,6 +107,7 @@ typedef struct {
     real4 local_a[3], local_b[3];   // coordinates in the frames of the bodies
     real4 own;          // 1: they push where A's point is; 0: where B's is
     real4 has;          // 1: there is such a point; 0: not
+    real4 began;        // N s, its impulse before this substep
     real4 blow;         // N s, what of it was given at once, see blow.h
 } block_place;
 //<
@@ -156,6 +157,7 @@ typedef struct {
     real4 height;                       // m, of the plane; of bodies, 0
     real4 per_near;                     // 1/m, of a gap that is all but closed
     real4 radius;                       // m, the smaller one
+    real4 began[RUBS];                  // rub before this substep
     block_point *point;                 // [points] of the solver's
     block_place *place;                 // [points]
 } block;

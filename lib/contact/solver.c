@@ -377,6 +377,27 @@ void solver_warm(contact_solver *s, const solver_frame *f, motion *velocity)
     run_pass(s, f, velocity, NULL, passes_best()->warm);
 }
 
+void solver_mark(contact_solver *s)
+{
+    for (int n = 0; n < s->blocks; n++) {
+        block *k = &s->block[n];
+        for (int j = 0; j < k->points; j++)
+            k->place[j].began = k->point[j].impulse;
+        for (int i = 0; i < RUBS; i++) k->began[i] = k->rub[i];
+    }
+}
+
+void solver_rewind(contact_solver *s)
+{
+    for (int n = 0; n < s->blocks; n++) {
+        block *k = &s->block[n];
+        for (int j = 0; j < k->points; j++)
+            k->point[j].impulse = k->place[j].began;
+        for (int i = 0; i < RUBS; i++) k->rub[i] = k->began[i];
+        k->rubs = true;
+    }
+}
+
 void solver_scale(contact_solver *s, real times)
 {
     const real4 by = real4_all(times);

@@ -62,6 +62,10 @@ void solver_relax(contact_solver *s, const solver_frame *f, motion *velocity,
 // After impacts, before solver_warm: computes the gaps again, for `moved` has changed.
 void solver_update_gaps(contact_solver *s, const solver_frame *f,
                         const motion *moved);
+// Remembers the impulses before a substep that may have to be done again; and restores
+// them.
+void solver_mark(contact_solver *s);
+void solver_rewind(contact_solver *s);
 // Multiplies all impulses, when the next substep is so many times as long.
 void solver_scale(contact_solver *s, real times);
 

@@ -113,6 +113,10 @@ typedef struct {
     real a[JOINT_ROWS][MOTIONS], b[JOINT_ROWS][MOTIONS];
     real error[JOINT_ROWS];         // m, rad; of the limit: what is left
     bool is_upper;              // the limit is the greater of the two
+    joint begun;                // as the substep found it, and the limit, to
+    bool was_upper;             // begin it again
+    bool rubs;                  // something presses one that is joined to it
+    bool is_free;               // its tree is joined to nothing that no pull moves
     real pushed[JOINT_ROWS];    // the impulse before the bodies moved, and that
     real older[JOINT_ROWS];     // of the substep before
     real inverse[JOINT_ROWS][JOINT_ROWS];   // of K
@@ -137,8 +141,8 @@ typedef struct {
     real twist_size;            // of friction: of the axis of its second row;
     real turning[3];            // rad/s, along its rows as it is now;
     real firm[3], resisted[3];  // as hard and kept, of its rows
-    bool rubs, is_held;         // what linkage_pace was told of it, and
-    real pace;                  // rad/s, its fastest motion since
+    real pace;                  // rad/s, of the fastest swing about it in the
+                                // last frame
     int  next[2];               // in the lists of A's and B's joints; -1: none
 } joint_rows;
 

@@ -1359,20 +1359,43 @@ static void find_rows(linkage *l, const linkage_pass *q)
         g->is_ready = g->is_solved = g->is_settled = false;
 }
 
+// A body that a force holds at the end of its arm swings about its centre: the
+// square of that angular frequency is the moment that a small turn brings,
+// force times arm, beside the moment of inertia.  Here for 1 N.  However the
+// body turns, this stays.
+static real swing_of(const linkage_pass *q, int b, vec3 local)
+{
+    const rigid_frame *f = joined_frame(q, b);
+    vec3 arm = vec3_sub(frame_point(f, local), f->center);
+    real sum = 0, length = vec3_length(arm);
+    for (int t = 0; t < TURNS; t++)
+        sum += vec3_length_squared(vec3_cross(basis_of(q->f, b)->turn[t], arm));
+    return length > 0 ? sum / length : 0;
+}
+
+// rad/s, that of a body which hangs there with its own weight alone.
+static real hung_swing(const linkage_pass *q, int b, real swing)
+{
+    real inverse = basis_of(q->f, b)->inverse_mass;
+    return inverse > 0 ? sqrt(vec3_length(q->f->gravity) / inverse * swing) : 0;
+}
+
 static real joined_size(const linkage_pass *q, int b)
 {
     return moves(q->f, b) ? q->f->body[b].radius : HUGE_VAL;
 }
 
 // Has it limits?  Does what no pull moves hold it?
-static void find_group(const linkage *l, const linkage_pass *q, linkage_group *g)
+static void find_group(linkage *l, const linkage_pass *q, linkage_group *g)
 {
-    g->is_free = true;
+    bool is_free = true;
     for (int s = g->first; s < g->end; s++) {
         const joint *j = &l->joint[l->step[s].joint];
         g->is_limited |= j->is_limited || j->extra > 0;
-        g->is_free &= yields(q->f, j->a) && yields(q->f, j->b);
+        is_free &= yields(q->f, j->a) && yields(q->f, j->b);
     }
+    for (int s = g->first; s < g->end; s++)
+        l->rows[l->step[s].joint].is_free = is_free;
 }
 
 // What stays for a frame.
@@ -1384,7 +1407,12 @@ static void find_sizes(linkage *l, const linkage_pass *q)
         joint_rows *r = &l->rows[k];
         if (l->role[k] == JOINT_IDLE) continue;
         l->is_driven |= j->extra > 0;
+        real a = swing_of(q, j->a, j->local_a);
+        real b = swing_of(q, j->b, j->local_b);
+        r->swing = real_max(a, b);
+        r->hung = real_max(hung_swing(q, j->a, a), hung_swing(q, j->b, b));
         r->size = real_min(joined_size(q, j->a), joined_size(q, j->b));
+        r->is_free = false;
     }
     for (int k = 0; k < l->groups; k++) find_group(l, q, &l->group[k]);
 }
@@ -1425,6 +1453,14 @@ void linkage_forget_impulses(linkage *l, int k)
     if (!(j->force < HUGE_VAL)) j->force = 0;
 }
 
+void linkage_mark(linkage *l)
+{
+    for (int k = 0; k < l->count; k++) {
+        l->rows[k].begun = l->joint[k];
+        l->rows[k].was_upper = l->rows[k].is_upper;
+    }
+}
+
 void linkage_scale(linkage *l, real times)
 {
     for (int k = 0; k < l->count; k++)
@@ -1441,6 +1477,8 @@ static void warm(linkage *l, const linkage_pass *q)
     for (int k = 0; k < l->count; k++) {
         joint *j = &l->joint[k];
         int b = yielding(f, j);
+        bool is_pin = j->kind == JOINT_PIN;
+        if (is_pin || l->role[k] != JOINT_IDLE) l->rows[k].pace = 0;
         if (l->role[k] == JOINT_IDLE) continue;
         real times = f->age ? f->warm * f->h / f->age[b] : f->warm;
         for (int i = 0; i < JOINT_ROWS; i++) {
@@ -1448,6 +1486,27 @@ static void warm(linkage *l, const linkage_pass *q)
             l->rows[k].older[i] *= times;
         }
     }
+}
+
+static void begin_roles(linkage *l, const linkage_pass *q)
+{
+    choose_roles(l, q);
+    find_sizes(l, q);
+    find_rows(l, q);
+    find_speeds(l, q);
+}
+
+void linkage_rewind(linkage *l, const linkage_pass *q)
+{
+    for (int k = 0; k < l->count; k++) {
+        joint *j = &l->joint[k];
+        joint_rows *r = &l->rows[k];
+        l->broken -= j->is_broken && !r->begun.is_broken;
+        *j = r->begun;
+        memcpy(r->older, j->impulse, sizeof r->older);
+        r->is_upper = r->was_upper;
+    }
+    begin_roles(l, q);
 }
 
 void linkage_prepare(linkage *l, const linkage_pass *q)
@@ -1568,6 +1627,11 @@ static one_body group_as_one(const linkage *l, const linkage_pass *q,
     return (one_body){ center, { spin[0], spin[1], spin[2] } };
 }
 
+static bool is_free_group(const linkage *l, const linkage_group *g)
+{
+    return l->rows[l->step[g->first].joint].is_free;
+}
+
 // What a body is heavier by is no other body's: what flies freely gets back, as one
 // body, the angular momentum that this has kept from it.
 static void give_back(const linkage *l, const linkage_pass *q,
@@ -1594,7 +1658,7 @@ static void give_back(const linkage *l, const linkage_pass *q,
 static void give_back_all(const linkage *l, const linkage_pass *q)
 {
     for (const linkage_group *g = l->group; g < l->group + l->groups; g++)
-        if (g->is_heavy && g->is_free) give_back(l, q, g);
+        if (g->is_heavy && is_free_group(l, g)) give_back(l, q, g);
 }
 
 // A group that was moved aside of how it goes gets back what it lost by that: what
@@ -1641,7 +1705,7 @@ static void jolt_group(linkage *l, const linkage_pass *q, const linkage_group *g
         SWAP(motion, x->rest, q->velocity[b]);
         x->angular = motion_angular(basis_of(q->f, b), &x->rest);
     }
-    if (g->is_free) turn_group(l, q, g);
+    if (is_free_group(l, g)) turn_group(l, q, g);
 }
 
 static void jolt_groups(linkage *l, const linkage_pass *q)
@@ -1698,16 +1762,20 @@ void linkage_push(linkage *l, const linkage_pass *q, bool is_last)
 }
 //<
 
-//> linkage-pace
-//>   Before the substeps of a frame each joint says how fast a motion it must follow.
-// A substep turns a body by so much at most: how fast it turns, and would swing under
-// its own weight, decides how exact its orbit is.  With this 7 of 27 thrown linkages
-// (chapter 20, case 169) change their energy by more than a thousandth.
-static const real TURN_MOST = 0.075;        // tuned, rad
+//> linkage-break
+//>   After the substep each joint knows its force. It says how fast its bodies
+//>   swing, and breaks if the force is too great.
+// A substep turns a body by 0.075 rad (FOLLOWED / TURN_PACE, substeps.c): how fast it
+// turns, and would swing under its own weight, decides how exact its orbit is.  With
+// this 7 of 27 thrown linkages (chapter 20, case 169) change their energy by more
+// than a thousandth, with three quarters of it 10, and 4 of 36 conical pendulums
+// (case 163) go round too fast.
+static const real TURN_PACE = 8;            // tuned, 1
 
-// Where something presses, energy goes, and no orbit is kept: there a substep turns a
-// body by so many times as much.
-static const real RUBBED = 2;               // tuned, 1
+// Where something presses, energy goes, and no orbit is kept: half as exactly is
+// enough.  (Half of that opens 4 joints under sudden loads for 1, case 166, and saves
+// a heap of dolls 2 %; as exactly as in free flight it costs them 13 % more.)
+static const real RUBBED = 4;               // tuned, 1
 
 // rad/s: how fast a spin turns a direction, of any length.
 static real turn_of_direction(vec3 spin, vec3 d)
@@ -1732,10 +1800,15 @@ static real turn_of_held(const linkage_pass *q, const joint *j, int b, vec3 spin
     return is_hinge ? real_max(arm, tilt) : arm;
 }
 
-static vec3 spin_of(const linkage_pass *q, int b)
+// rad/s, to be followed.  A free flywheel turns its axle, so all spin counts for
+// its orbit.  Where something presses, only what it turns of the joint does: a wheel
+// that rolls leaves its axle where it is.  The spin itself is always followed.
+static real pace_of_spin(const linkage_pass *q, const joint *j, bool rubs, int b)
 {
-    if (!moves(q->f, b)) return (vec3){ 0, 0, 0 };
-    return motion_rotation(basis_of(q->f, b), &q->velocity[b]);
+    if (!moves(q->f, b)) return 0;
+    vec3 spin = motion_rotation(basis_of(q->f, b), &q->velocity[b]);
+    if (!rubs) return TURN_PACE * vec3_length(spin);
+    return real_max(vec3_length(spin), RUBBED * turn_of_held(q, j, b, spin));
 }
 
 static vec3 velocity_of(const linkage_pass *q, int b, vec3 at)
@@ -1745,105 +1818,51 @@ static vec3 velocity_of(const linkage_pass *q, int b, vec3 at)
                      vec3_sub(at, joined_frame(q, b)->center));
 }
 
-// rad/s: the way between two points that are kept at a distance turns, too; its bodies
-// need not.
-static real turn_of_way(const linkage_pass *q, const joint *j)
+// The way between two points that are kept at a distance turns, too; its bodies
+// need not.  rad^2/s^2
+static real swung_squared(const linkage_pass *q, const joint *j)
 {
     vec3 a, b;
     if (j->kind != JOINT_DISTANCE || j->is_driven || !(j->force > 0)) return 0;
     joint_points(j, joined_frame(q, j->a), joined_frame(q, j->b), &a, &b);
+    vec3 way = vec3_sub(b, a);
     vec3 speed = vec3_sub(velocity_of(q, j->b, b), velocity_of(q, j->a, a));
-    vec3 across = vec3_cross(vec3_sub(b, a), speed);
-    return j->most > 0 ? vec3_length(across) / (j->most * j->most) : 0;
+    real most = j->most * j->most;
+    vec3 across = vec3_cross(way, speed);
+    return most > 0 ? vec3_length_squared(across) / (most * most) : 0;
 }
 
-// A body that a force holds at the end of its arm swings about its centre: the
-// square of that angular frequency is the moment that a small turn brings,
-// force times arm, beside the moment of inertia.  Here for 1 N.  However the
-// body turns, this stays.
-static real swing_of(const linkage_pass *q, int b, vec3 local)
+// What no pull moves holds a body's whole weight, even before a joint has felt it.
+// A tree that falls has none: there a body swings only as its joint pulls.
+static real weighs(const joint_rows *r, real swing)
 {
-    const rigid_frame *f = joined_frame(q, b);
-    vec3 arm = vec3_sub(frame_point(f, local), f->center);
-    real sum = 0, length = vec3_length(arm);
-    for (int t = 0; t < TURNS; t++)
-        sum += vec3_length_squared(vec3_cross(basis_of(q->f, b)->turn[t], arm));
-    return length > 0 ? sum / length : 0;
+    return r->is_free ? real_min(r->hung, swing) : r->hung;
 }
 
-// rad/s, that of a body which hangs there with its own weight alone.
-static real hung_swing(const linkage_pass *q, int b, real swing)
-{
-    real inverse = basis_of(q->f, b)->inverse_mass;
-    return inverse > 0 ? sqrt(vec3_length(q->f->gravity) / inverse * swing) : 0;
-}
-
-// A free flywheel turns its axle, so all spin counts for its orbit.  Where something
-// presses, only what it turns of the joint does: a wheel that rolls leaves its axle
-// where it is.  The spin itself, and the swing under its pull, are followed to a
-// radian: what swings faster gets more inertia.  (Not so what stands alone: two joints
-// and the next body make it swing twice as fast as one joint does.)
-static real pace_of(const linkage *l, const linkage_pass *q, int k)
-{
-    const joint *j = &l->joint[k];
-    const joint_rows *r = &l->rows[k];
-    vec3 a = spin_of(q, j->a), b = spin_of(q, j->b);
-    real spin = real_max(vec3_length(a), vec3_length(b)), held = spin;
-    real swing = sqrt(j->force * r->swing);
-    if (r->rubs) held = real_max(turn_of_held(q, j, j->a, a),
-                                 turn_of_held(q, j, j->b, b));
-    // What falls has no weight: there a body swings only as its joint pulls.
-    real hung = r->is_held ? r->hung : real_min(r->hung, swing);
-    real turn = real_max(held, real_max(hung, turn_of_way(q, j)));
-    real most = r->rubs ? RUBBED * TURN_MOST : TURN_MOST;
-    if (l->role[k] == JOINT_ALONE) swing *= 2;
-    return real_max(real_max(spin, swing), turn / most);
-}
-
-real linkage_pace(linkage *l, const linkage_pass *q, int k, bool rubs, bool is_held)
-{
-    const joint *j = &l->joint[k];
-    joint_rows *r = &l->rows[k];
-    real before = r->pace;
-    r->pace = 0;
-    if (j->kind == JOINT_PIN) return before;
-    real a = swing_of(q, j->a, j->local_a), b = swing_of(q, j->b, j->local_b);
-    r->swing = real_max(a, b);
-    r->hung = real_max(hung_swing(q, j->a, a), hung_swing(q, j->b, b));
-    r->rubs = rubs;
-    r->is_held = is_held;
-    return real_max(before, pace_of(l, q, k));
-}
-//<
-
-//> linkage-break
-//>   After the substep each joint knows its force, and breaks if that is too great.
 static void break_overloaded(linkage *l, const linkage_pass *q)
 {
-    l->pace = 0;
+    real h = q->f->h;
+    l->swing = 0;
     for (int k = 0; k < l->count; k++) {
         joint *j = &l->joint[k];
         if (l->role[k] == JOINT_IDLE) continue;
-        j->force = force_of(j, &l->rows[k], q->f->h);
+        j->force = force_of(j, &l->rows[k], h);
         if (j->is_driven) j->given = j->impulse[l->rows[k].held] / l->rows[k].kick;
-        real pace = pace_of(l, q, k);
-        l->rows[k].pace = real_max(l->rows[k].pace, pace);
-        l->pace = real_max(l->pace, pace);
+        real swing = sqrt(j->force * l->rows[k].swing);
+        bool rubs = l->rows[k].rubs;
+        real turns = sqrt(swung_squared(q, j)), hung = weighs(&l->rows[k], swing);
+        swing = real_max(swing, pace_of_spin(q, j, rubs, j->a));
+        swing = real_max(swing, pace_of_spin(q, j, rubs, j->b));
+        real exactly = rubs ? RUBBED : TURN_PACE;
+        swing = real_max(swing, exactly * real_max(turns, hung));
+        l->rows[k].pace = real_max(l->rows[k].pace, swing);
+        l->swing = real_max(l->swing, swing);
         expect(j, &l->rows[k]);
         if (!(j->force > j->strength)) continue;
         j->is_broken = l->is_stale = true;
         l->role[k] = JOINT_IDLE;
         l->broken++;
     }
-}
-
-// What has broken leaves its group.
-static void begin_roles(linkage *l, const linkage_pass *q)
-{
-    choose_roles(l, q);
-    find_sizes(l, q);
-    find_rows(l, q);
-    find_speeds(l, q);
 }
 
 void linkage_relax(linkage *l, const linkage_pass *q)

@@ -52,7 +52,6 @@ typedef struct {
     bool is_solved;         // it was solved before this move;
     bool is_settled;        // nothing is left to be solved;
     bool is_limited;        // some joint has a limit
-    bool is_free;           // it hangs on nothing that no pull moves
     bool is_heavy;          // its bodies are;
     bool is_jolted;         // it brings together what is far apart
 } linkage_group;
@@ -105,7 +104,8 @@ typedef struct {
     bool is_stale;          // one broke in this frame
     bool is_backward;       // joints that stand alone come last to first
     int  broken;            // so many, since this was set to 0
-    real pace;              // rad/s, of the fastest motion in the last substep
+    real swing;             // rad/s, of the fastest swing about a joint in the
+                            // last substep, which must follow it
     real worst;             // m, by which a joint's points are apart
     int  parted;            // joints apart by a hundredth of a body's radius, or
                             // of a radian
@@ -157,11 +157,6 @@ typedef struct {
     char of;                            // rung[b] == of; NULL: all
 } linkage_pass;
 
-// rad/s: of the fastest motion about joint k since this was last asked, which substeps
-// must follow, a radian each.  Before a frame is prepared: does something press what is
-// joined to it, and is that held by what no pull moves?
-real linkage_pace(linkage *l, const linkage_pass *q, int k, bool rubs, bool is_held);
-
 // A frame begins: bodies stand as f says, and have not been moved.
 void linkage_prepare(linkage *l, const linkage_pass *q);
 
@@ -169,6 +164,11 @@ void linkage_prepare(linkage *l, const linkage_pass *q);
 // Impulses that are none would stop its bodies again, in every frame to come.  A
 // force that is no number is 0.
 void linkage_forget_impulses(linkage *l, int k);
+
+// Before a substep that may have to be done again; and to do it again, when the
+// bodies stand where they did.
+void linkage_mark(linkage *l);
+void linkage_rewind(linkage *l, const linkage_pass *q);
 
 // The next substep is so many times as long: its impulses are, too.
 void linkage_scale(linkage *l, real times);

@@ -200,6 +200,37 @@ void advance_bodies(world *w, real h)
 }
 //<
 
+//> advance-back
+//>   A substep that joints swing too fast for is done again, from here.
+void advance_mark(world *w)
+{
+    rigid_tables *t = &w->rigid;
+    for (int k = 0; k < t->awakes; k++) {
+        int b = t->awake[k];
+        t->now_then[b] = t->now[b];
+        t->velocity_then[b] = t->velocity[b];
+        t->moved_then[b] = t->moved[b];
+    }
+    t->elapsed_then = t->elapsed;
+    solver_mark(&t->solver);
+    linkage_mark(&w->joints);
+}
+
+void advance_back(world *w)
+{
+    rigid_tables *t = &w->rigid;
+    t->elapsed = t->elapsed_then;
+    for (int k = 0; k < t->awakes; k++) {
+        int b = t->awake[k];
+        t->now[b] = t->now_then[b];
+        t->velocity[b] = t->velocity_then[b];
+        t->moved[b] = t->moved_then[b];
+        if (t->going[b] == GOES_BY_HALVES) t->middle[b] = t->now[b].frame;
+    }
+    solver_rewind(&t->solver);
+}
+//<
+
 //> advance-end
 //>   When the substeps are over, what was displaced gets its frame. A body
 //>   whose numbers are lost goes back to where it was.

@@ -32,6 +32,10 @@ real advance_turned(const world *w, int b, const rigid_frame *was);
 // a capsule or a cylinder how far its axis has turned.
 real advance_leaned(const world *w, int b, const rigid_frame *was);
 
+// Remembers the state before a substep that may have to be done again; and restores it.
+void advance_mark(world *w);
+void advance_back(world *w);
+
 // Puts body b back to where the substeps began, at rest.
 void advance_stop(world *w, int b);
 

@@ -1,6 +1,7 @@
 //> hear-write
-//>   A contact has a line of a table, to which each substep adds what the contact gave.
-//>   Where it was is asked once, for that costs more than the sum. Every impact is one more line.
+//>   A contact has a line of a table, to which each substep adds what the contact gave;
+//>   a substep that is done again counts once. Where it was is asked once, for that costs more than
+//>   the sum. Every impact is one more line.
 #include "hear.h"
 #include "table.h"
 

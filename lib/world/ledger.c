@@ -96,4 +96,17 @@ void ledger_halfway(world *w, real seconds)
     for (int k = 0; k < w->rigid.awakes && w->options.ledger; k++)
         w->rigid.halfway[w->rigid.awake[k]] = seconds;
 }
+
+ledger_page ledger_mark(const world *w)
+{
+    ledger_page page = { .now = w->ledger_now };
+    memcpy(page.account, w->ledger, sizeof page.account);
+    return page;
+}
+
+void ledger_rewind(world *w, const ledger_page *to)
+{
+    memcpy(w->ledger, to->account, sizeof w->ledger);
+    w->ledger_now = to->now;
+}
 //<

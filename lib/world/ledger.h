@@ -30,6 +30,14 @@ void ledger_open(world *w);
 // unless options.ledger is set.
 void ledger_book(world *w, int account);
 
+// Remembers what is booked so far, and goes back to it when a frame is begun again.
+typedef struct {
+    ledger_entry account[LEDGERS], now;
+} ledger_page;
+
+ledger_page ledger_mark(const world *w);
+void ledger_rewind(world *w, const ledger_page *to);
+
 // Says how long (s) ago the bodies that are awake were in the middle of the move that
 // their velocities are of; 0: as their particles say.
 void ledger_halfway(world *w, real seconds);

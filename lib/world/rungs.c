@@ -278,32 +278,14 @@ static void request_for_bodies(world *w)
     }
 }
 
-// The island of joint k; NULL: it holds nothing.
-static island *joined_island(const world *w, int k)
-{
-    const joint *j = &w->joints.joint[k];
-    return joint_holds(j) ? rungs_island(w, j->a, j->b) : NULL;
-}
-
-static void request_for_pace(world *w)
-{
-    solver_frame f = { .body = w->rigid.now, .gravity = w->options.gravity };
-    linkage_pass q = { .f = &f, .velocity = w->rigid.velocity };
-    for (int k = 0; k < w->joints.count; k++) {
-        island *i = joined_island(w, k);
-        if (!i) continue;
-        real pace = linkage_pace(&w->joints, &q, k, i->rubs, i->is_held);
-        i->pace = real_max(i->pace, pace);
-    }
-}
-
 static void request_for_joints(world *w)
 {
     for (int k = 0; k < w->joints.count; k++) {
         const joint *j = &w->joints.joint[k];
-        island *i = joined_island(w, k);
-        if (!i) continue;
-        i->is_held |= !goes(w, j->a) || !goes(w, j->b);
+        island *i = rungs_island(w, j->a, j->b);
+        if (!i || !joint_holds(j)) continue;
+        i->pace = real_max(i->pace, w->joints.rows[k].pace);
+        w->joints.rows[k].rubs = i->rubs;
         i->hangs = true;
         if (j->is_driven) i->pulls = HUGE_VAL;
         // A damper that bears all of a spring: d v = k (what is left to go).
@@ -336,7 +318,6 @@ static void find_demands(world *w)
     request_for_bodies(w);
     find_lifts(w);
     request_for_joints(w);
-    request_for_pace(w);
     request_for_contacts(w);
 }
 //<

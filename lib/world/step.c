@@ -29,6 +29,7 @@ static int activate_contacts(world *w, const solver_frame *f);
 static solver_frame solver_frame_of(const world *w, int substeps);
 static solver_frame prepare(world *w, const rung *r);
 static void substep(world *w, const solver_frame *f, real *since);
+static void redo(world *w, solver_frame *f, real times, const ledger_page *p);
 static void fall_asleep(world *w);
 //<
 
@@ -56,30 +57,27 @@ static void set_age(world *w, real h)
         w->rigid.age[w->rigid.awake[k]] = h;
 }
 
-// The rest of a frame is divided into more, where joints have come to ask for them.
-static int divide_rest(world *w, solver_frame *f, int left)
-{
-    int more = substeps_left(w, f->h, left);
-    if (more == left) return left;
-    real times = (real)left / more;
-    f->h *= times;
-    solver_scale(&w->rigid.solver, times);
-    linkage_scale(&w->joints, times);
-    solver_renew(&w->rigid.solver, f);
-    return more;
-}
-
+// The substeps: so many of equal length, or more and shorter ones where joints
+// ask for them.
 static void run_substeps(world *w, solver_frame f, real *since)
 {
     int left = f.substeps;
-    if (w->rigid.rungs[(int)w->rigid.on_rung].hangs) join_begin(w, &f);
+    const rung *r = &w->rigid.rungs[(int)w->rigid.on_rung];
+    if (r->hangs) join_begin(w, &f);
     while (left > 0) {
+        ledger_page page = ledger_mark(w);
+        int hears = w->rigid.hears;
+        if (r->hangs && !r->is_soft) advance_mark(w);
         substep(w, &f, since);
         w->report.substeps++;
+        int more = substeps_again(w, f.h, left);
+        if (more > 0) redo(w, &f, (real)left / more, &page);
+        left = more > 0 ? more : left - 1;
+        if (more > 0) w->rigid.hears = hears;
+        if (more > 0) continue;
         set_age(w, f.h);
         if (w->rigid.listens) hear_contacts(w);
         blow_forget(&w->rigid.solver);
-        if (--left > 0) left = divide_rest(w, &f, left);
         if (left > 0) ahead_again(w, &f, left * f.h);
     }
 }
@@ -632,6 +630,22 @@ static void substep(world *w, const solver_frame *f, real *since)
         guard_soft(w);
     }
     book_time(w, PHASE_SOFT, since);
+}
+//<
+
+//> step-redo
+// Back to where the substep began, for one that is so many times as long.
+static void redo(world *w, solver_frame *f, real times, const ledger_page *page)
+{
+    linkage_pass q = join_pass(w, f);
+    blow_forget(&w->rigid.solver);
+    advance_back(w);
+    linkage_rewind(&w->joints, &q);
+    ledger_rewind(w, page);
+    f->h *= times;
+    solver_scale(&w->rigid.solver, times);
+    linkage_scale(&w->joints, times);
+    solver_renew(&w->rigid.solver, f);
 }
 //<
 

@@ -43,6 +43,13 @@ static real substeps_for_contacts(const world *w, const island *i, int now)
 }
 //<
 
+//> substeps-joints
+// A body that is pulled at a joint swings about it.  A substep follows a swing
+// of angular frequency w if h w is at most 2 (Verlet); two joints and the next
+// body make it four times as stiff as one joint alone.
+static const real FOLLOWED = 0.6;           // tuned, rad
+//<
+
 //> substeps-turns
 // What may touch others, and turns further in a substep than in one move, comes
 // past them between two looks.  (Cloth and rope look in every substep.)
@@ -53,7 +60,7 @@ static int substeps_for_turns(const island *i, int most)
 }
 //<
 
-//> substeps-all
+//> substeps-again
 // What a program may ask for is all that a frame has.  A part of a divided one
 // has its share.
 int substeps_all(const world *w)
@@ -61,15 +68,19 @@ int substeps_all(const world *w)
     return int_max((int)(w->frame / w->options.dt * ALL_SUBSTEPS), 1);
 }
 
-int substeps_left(const world *w, real h, int left)
+// A chain that comes taut pulls a hundred times as hard as in the substep before.
+// Where joints swung so much faster than it could follow, it is done again.
+static const real TOO_FAST = 1.3;           // tuned, 1
+
+int substeps_again(const world *w, real h, int left)
 {
-    const rung *r = &w->rigid.rungs[(int)w->rigid.on_rung];
+    real need = left * h * w->joints.swing / FOLLOWED;
     real shortest = w->options.dt / w->options.most_substeps;
     int most = int_min((int)(left * h / shortest),
                        substeps_all(w) - w->report.substeps);
-    if (!r->hangs || r->is_soft || left >= most) return left;
-    real need = real_min(left * h * w->joints.pace, most);
-    return int_max((int)need + 1, left);
+    const rung *r = &w->rigid.rungs[(int)w->rigid.on_rung];
+    if (!r->hangs || r->is_soft || left >= most || !(need > TOO_FAST * left)) return 0;
+    return need < most ? (int)need + 1 : most;
 }
 //<
 
@@ -85,7 +96,8 @@ int substeps_left(const world *w, real h, int left)
 static const real FEWER = 0.75;             // tuned, 1
 
 // What is fast and not joined takes in each part of a divided frame as many as are
-// usual in a frame; so does cloth.  Joints ask by how they swing and turn.
+// usual in a frame; so does cloth.  Joints ask by how they swing and turn, and what
+// they swing too fast for is done again.
 static bool takes_all(const island *i)
 {
     return i->is_soft || (i->is_fast && !i->hangs);
@@ -108,7 +120,7 @@ int substeps_choose(world *w, const island *i, substep_choice *c)
     int fewest = usual;
     int most = int_max(w->options.most_substeps, usual);
     real stiff = real_min(substeps_for_contacts(w, i, c->now), most);
-    real swing = real_min(w->options.dt * i->pace, most);
+    real swing = real_min(w->options.dt * i->pace / FOLLOWED, most);
     int need = int_max(usual, (int)real_max(stiff, swing) + 1);
     int n = hold(&w->options, c, i, need);
     if (!takes_all(i)) fewest = (int)(share * (usual - 1)) + 1;

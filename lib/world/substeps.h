@@ -17,7 +17,9 @@ int substeps_choose(world *w, const island *i, substep_choice *c);
 // report.cut.
 int substeps_all(const world *w);
 
-// With `left` substeps of h (s) to go: into how many must that time be divided, for the
-// pulls that joints have felt in the last one?  Where there is rope or cloth: `left`.
-int substeps_left(const world *w, real h, int left);
+// After a substep of h (s), with `left` to go, itself included: into how many must that
+// time be divided instead, because joints swung faster than it could follow?  0: it was
+// good, or there is rope or cloth, which has moved already.  At most
+// options.most_substeps in a frame, beside those that are done again.
+int substeps_again(const world *w, real h, int left);
 //<

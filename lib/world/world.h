@@ -39,7 +39,7 @@ typedef struct {
     void *chooser;
 } world_host;
 
-// The most substeps of a frame, in all its parts together.
+// The most substeps of a frame: of all its parts, and of those that are done again.
 enum { ALL_SUBSTEPS = 10000 };
 
 typedef struct {
@@ -178,7 +178,6 @@ typedef struct {
     real pace;          // rad/s, of the fastest swing about its joints
     real lasts;         // s, in which a spring would bring it home at its speed
     bool rubs;          // one of its contacts presses
-    bool is_held;       // joints hold it to something immovable
     bool hangs;         // it has joints, ropes or cloths
     bool is_soft;       // it has ropes or cloths
     bool is_calm;       // no body of it flies
@@ -235,8 +234,10 @@ typedef struct {
     char        *fresh;     // [bodies] it got them in the last substep
     char        *going;     // [bodies] see advance.c
     char        *touches;   // [bodies] it moves, and has contacts or joints
-    real elapsed;           // s, since the substeps began
+    real elapsed, elapsed_then;         // s, since the substeps began
     int          motions;
+    solver_body *now_then;  // [bodies] as they were before this substep, in case
+    motion *velocity_then, *moved_then;         // that it has to be done again
     char        *held;      // [bodies] contacts or joints held it in the last substep
     body_load   *load;      // [bodies]
     bool is_loaded;         // some loads are not 0
@@ -268,7 +269,8 @@ typedef struct {
     ZEROS(ahead) ZEROS(reach) ZEROS(halfway) ZEROS(rung) ZEROS(is_awake)      \
     FILLED(moves) FILLED(island) FILLED(by_rung) FILLED(asked) FILLED(middle) \
     FILLED(turned) FILLED(lying) FILLED(began) FILLED(awake) FILLED(fresh)    \
-    FILLED(going) FILLED(touches) KEPT(now)
+    FILLED(going) FILLED(touches) FILLED(now_then) FILLED(velocity_then)      \
+    FILLED(moved_then) KEPT(now)
 //<
 
 //> world-struct

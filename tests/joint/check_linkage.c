@@ -232,6 +232,44 @@ START_TEST(limit_gives_back_what_it_pushed_too_much)
 }
 END_TEST
 
+// Two joints, of which one breaks, for a substep.
+static void run_substep(const linkage_pass *q)
+{
+    linkage_prepare(&l, q);
+    linkage_begin(&l, q);
+    linkage_push(&l, q, true);
+    linkage_relax(&l, q);
+}
+
+START_TEST(what_is_begun_again_goes_as_it_went)
+{
+    // Bit for bit, after the caller has put back the velocities: impulses, limits,
+    // and what broke and holds again.
+    throw_bodies();
+    join(JOINT_BALL, -1, 0);
+    join(JOINT_BALL, 0, 1);
+    linkage_pass q = pass();
+    run_substep(&q);
+    motion start[BODIES], end[BODIES];
+    memcpy(start, velocity, sizeof start);
+    joint first[2] = { l.joint[0], l.joint[1] };
+    l.joint[1].strength = 1e-6;
+    linkage_mark(&l);
+    run_substep(&q);
+    memcpy(end, velocity, sizeof end);
+    ck_assert(l.joint[1].is_broken && l.broken == 1);
+    l.rows[0].is_upper = true;      // it came to its other limit
+    linkage_rewind(&l, &q);
+    ck_assert(!l.joint[1].is_broken && l.broken == 0 && !l.rows[0].is_upper);
+    for (int k = 0; k < 2; k++)
+        ck_assert(memcmp(l.joint[k].impulse, first[k].impulse,
+                         sizeof first[k].impulse) == 0);
+    memcpy(velocity, start, sizeof start);
+    run_substep(&q);
+    ck_assert(memcmp(velocity, end, sizeof end) == 0 && l.broken == 1);
+}
+END_TEST
+
 // rad/s; m, from the joint.
 static const real SPIN = 20, ARM = 0.5;
 
@@ -335,6 +373,7 @@ int main(void)
         rings_of_joints_are_solved_in_one_pass,
         impulses_are_handed_from_body_to_body,
         limit_gives_back_what_it_pushed_too_much,
+        what_is_begun_again_goes_as_it_went,
         what_swings_evenly_begins_with_what_it_will_need,
         two_pushes_with_nothing_between_are_one,
         pairs_that_are_joined_are_kept_apart,

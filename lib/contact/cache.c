@@ -662,8 +662,8 @@ static void gather_active(contact_cache *c, const cache_frame *f)
 
 // Within a frame what was to meet on one side of a body meets on no other: if it is
 // through, or past, by turning since it was asked, it comes back.  What stands on
-// something fixed and turns there meets the sides of no neighbour: those are seen to between
-// frames (seams.h).
+// something fixed, and turns there, does not meet the side of a neighbouring piece:
+// the seams are looked at between frames only (seams.h).
 static bool is_through(const cache_frame *f, const contact *now, const contact *was)
 {
     real along = vec3_dot(now->normal, was->normal);

@@ -1,11 +1,11 @@
 //> near-head
-// near.h - which particles of cloth and rope are near each other, near which
-// rigid body?
+// near.h - neighbour lists: particles of ropes and cloths near each other, and near
+// rigid bodies.
 //
 // Paper: section 5.2 asks trees in every step.  Book: chapter 16.
 //
-// The answer, with a margin, is good until the moves of two differ by it (the
-// neighbour list of Verlet 1967).  In between a substep only reads the lists.
+// The lists have a margin, and are good until the moves of two things differ by it (the
+// neighbour list of Verlet 1967).  Until then a substep only reads them.
 // Units: metres, seconds, kilograms, in the world's frame.
 
 #pragma once
@@ -19,12 +19,12 @@
 //<
 
 //> near-frame
-// Is a deformable body deep in what it was set down in, or what was set down in it?
-// The next substep tells; and then it is watched until nothing was wrong in a frame.
+// Is a rope or cloth deep in something that it was set down in, or that was set down in
+// it?  The next substep finds out; then it is watched until a whole frame was good.
 typedef enum { SUNK_NOT, SUNK_PERHAPS, SUNK_BEFORE, SUNK } sunk_state;
 
-// What cloth and rope are told about a substep.  They own their particles, and
-// move them; rigid bodies they only push.
+// The tables of the world that a substep of ropes and cloths reads.  It moves their
+// particles, and only pushes rigid bodies.
 typedef struct {
     const body *body;           // [bodies]
     const bool *asleep;         // [bodies]

@@ -15,36 +15,35 @@
 //> placed
 //>   Its material, what it may meet, and whether it moves are said when it is
 //>   added.
-// A body: a range of the pool, built to a shape that it may share.  The place of
-// one that was taken away is left to one of a shape without particles: static,
-// deformable, and nowhere.
+// A body: a shape, which it may share, and a range of the pool.  The place of a body
+// that was removed has a shape without particles: static, and neither rigid nor
+// anywhere.
 typedef struct body {
     const struct shape *shape;
-    const rigid4 *rigid;    // its four particles; NULL: it is deformable, with
-                            // a particle at every vertex
-    line_scratch *line;     // of a deformable one; shared, as the shape is
+    const rigid4 *rigid;    // its four particles; NULL: it is a rope or cloth, with a
+                            // particle at every vertex
+    line_scratch *line;     // of a rope or cloth; shared, as the shape is
     int  entry;         // of its shape, see world.h
     int  first;         // its particles: first .. first + body_particles - 1
-    int  room;          // so many of the pool are kept for it
+    int  room;          // how many places of the pool are kept for it
     real mass;          // kg; HUGE_VAL: static, as a whole
-    real thickness;     // m, the radius of a deformable body's particles; 0 of
-                        // a rigid one
-    real bending;       // N m^2, or N m, of a deformable one: see bend.h
-    real compliance;    // 1/N, or m/N, of a deformable one: see line.h; and, m/N,
-    real taut;          // what the threads of a cloth give by where it is pinned
-    real inner;         // m, the inner radius of a rigid one,
-    real round;         // and from its core to its surface; of pieces: 0
+    real thickness;     // m, the radius of the particles of a rope or cloth; else 0
+    real bending;       // N m^2 of a rope, N m of a cloth, see bend.h
+    real compliance;    // 1/N of a rope, m/N of a cloth, see line.h
+    real taut;          // m/N, the compliance of a cloth's threads while it is pinned
+    real inner;         // m, the inner radius of a rigid body,
+    real round;         // m, and from its core to its surface; of pieces 0
     real damping;       // 1/s, the share of its velocity that it loses,
     real spin_damping;  // 1/s, and of its spin, if it is rigid
     bool is_weighed;    // its shape has a weight of its own
-    real gravity;       // 1, so many times the world's acts on it, if it is rigid
-    bool is_kinematic;  // rigid, and moves as a program says
-    bool is_part;       // of something that is larger, see world_add_part
-    int  family;        // pieces of one body have one number; 0: it is alone
-    int  rides;         // 1 + the body that has all of its pieces' motion, for a
-                        // piece and for that body itself; 0: it is all of one
-    int  next;          // 1 + the next piece that rides with it; 0: none
-    unsigned group, mask;   // bits: two meet if the mask of each has a bit of
+    real gravity;       // 1, times the world's gravity, of a rigid body
+    bool is_kinematic;  // rigid, and moved by the program
+    bool is_part;       // of a surface, see world_add_part
+    int  family;        // pieces of one floor have the same number; 0: none
+    int  rides;         // 1 + the body that has the motion of all pieces, for a piece
+                        // and for that body itself; 0: it is of one piece
+    int  next;          // 1 + the next piece of the same body; 0: none
+    unsigned group, mask;   // bits: two bodies meet if the mask of each has a bit of
                         // the other's group
 } body;
 
@@ -52,7 +51,7 @@ static inline bool body_is_soft(const body *b)
 {
     return !b->rigid;
 }
-// How many particles body b has in the pool: four, or one at every vertex.
+// The number of its particles in the pool: four, or one at every vertex.
 static inline int body_particles(const body *b)
 {
     return body_is_soft(b) ? b->shape->particles : FOUR;
@@ -65,7 +64,7 @@ static inline bool body_is_static(const body *b)
 {
     return !(b->mass < HUGE_VAL);
 }
-// It may be pushed.
+// Can it be pushed?
 static inline bool body_is_dynamic(const body *b)
 {
     return b->mass < HUGE_VAL && !b->is_kinematic;
@@ -75,17 +74,17 @@ static inline int body_whole(const body *b, int k)
 {
     return b->rides > 0 ? b->rides - 1 : k;
 }
-// It has the particles of another one.
+// Is it a piece, without particles of its own?
 static inline bool body_rides(const body *b)
 {
     return b->rides > 0 && body_is_static(b);
 }
-// It never moves.
+// Does it never move?
 static inline bool body_is_fixed(const body *b)
 {
     return body_is_static(b) && !b->rides;
 }
-// It may be pushed, or what it rides on.
+// Can it be pushed, or the body of which it is a piece?
 static inline bool body_yields(const body *b)
 {
     return body_is_dynamic(b) || body_rides(b);
@@ -96,14 +95,14 @@ static inline bool body_meets(const body *a, const body *b)
         && (body_yields(a) || body_yields(b))
         && !(a->rides && a->rides == b->rides);
 }
-// What is in no group and looks for none: planes it does not meet, either.
+// Does it meet nothing, not even planes, because group and mask are 0?
 static inline bool body_meets_none(const body *b)
 {
     return b->group == 0 && b->mask == 0;
 }
 
-// A deformable body and a rigid one that do not meet: particles are pinned to
-// it; or none is any more, but the two have not been apart since.
+// A rope or cloth and a rigid body that do not meet, because particles are pinned to
+// the body, or were, and the two have not been apart since.
 typedef struct {
     int soft, rigid;
     int pins;

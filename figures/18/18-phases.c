@@ -132,7 +132,7 @@ static void draw_bodies(painter *p, const world *w)
         const sphere *ball = &w->rigid.ball[b];
         box_as_it_began(p, w, b, INK);
         circle(p, ball->center, ball->radius, BLUE);
-        arrow(p, ball->center, vec3_scale(8, w->rigid.ahead[b].way), ORANGE);
+        arrow(p, ball->center, vec3_scale(8, w->rigid.ahead[b].delta), ORANGE);
     }
 }
 

@@ -25,7 +25,7 @@ static int frame;
 
 static swept_motion motion_of_needle(void)
 {
-    return (swept_motion){ .center = from, .way = vec3_sub(to, from), .out = vec3_length(NEEDLE[0]),
+    return (swept_motion){ .center = from, .delta = vec3_sub(to, from), .out = vec3_length(NEEDLE[0]),
                            .turn = { 0, 0, live_dial(TURN) * 0.017453292519943295 } };
 }
 
@@ -41,7 +41,7 @@ static void ask(void)
         if (turning.iterations < SHOWN) asked_at[turning.iterations] = turning.time;
         more = sweep_step(&s, &turning);
     }
-    straight = swept_first_touch((hull){ start_at, CORNERS }, a.way, (hull){ post_at, CORNERS }, 0, TOLERANCE, scratch);
+    straight = swept_first_touch((hull){ start_at, CORNERS }, a.delta, (hull){ post_at, CORNERS }, 0, TOLERANCE, scratch);
 }
 
 static bool touches(const swept_result *r) { return r->status == SWEPT_TOUCHES; }

@@ -13,9 +13,9 @@ static bool has_left(const pair_list *l, const pair_query *q, int b)
 {
     const sphere *was = &l->listed[b];
     real room = was->radius - q->ball[b].radius - q->reach[b];
-    vec3 way = vec3_sub(q->ball[b].center, was->center);
+    vec3 delta = vec3_sub(q->ball[b].center, was->center);
     if (!q->moves[b] || q->ball[b].radius < 0) return false;
-    return !(room >= 0 && vec3_length_squared(way) <= room * room);
+    return !(room >= 0 && vec3_length_squared(delta) <= room * room);
 }
 
 // Where as many have been asked again as there are bodies, the boxes around them

@@ -11,24 +11,24 @@
 
 // On one axis, from when to when is what begins at 0 between low and high, on a way
 // of that length?
-static void overlap(real low, real high, real way, real *begin, real *end)
+static void overlap(real low, real high, real delta, real *begin, real *end)
 {
-    if (way == 0) {
+    if (delta == 0) {
         if (low > 0 || high < 0) *end = -HUGE_VAL;
         return;
     }
-    real first = (way > 0 ? low : high) / way, last = (way > 0 ? high : low) / way;
+    real first = (delta > 0 ? low : high) / delta, last = (delta > 0 ? high : low) / delta;
     *begin = real_max(*begin, first);
     *end = real_min(*end, last);
 }
 
 // The share of the way after which the origin is in the box; HUGE_VAL: never.
-static real box_time_of_impact(const aabb *box, vec3 way)
+static real box_time_of_impact(const aabb *box, vec3 delta)
 {
     real begin = 0, end = 1;
-    overlap(box->low.x, box->high.x, way.x, &begin, &end);
-    overlap(box->low.y, box->high.y, way.y, &begin, &end);
-    overlap(box->low.z, box->high.z, way.z, &begin, &end);
+    overlap(box->low.x, box->high.x, delta.x, &begin, &end);
+    overlap(box->low.y, box->high.y, delta.y, &begin, &end);
+    overlap(box->low.z, box->high.z, delta.z, &begin, &end);
     return begin <= end ? begin : HUGE_VAL;
 }
 
@@ -39,7 +39,7 @@ static real reaches(const surface_query *q, const aabb *b)
     aabb box = { vec3_sub(b->low, q->thing.high),
                  vec3_sub(b->high, q->thing.low) };
     return q->by_distance ? sqrt(aabb_distance_squared(&box, origin))
-                          : box_time_of_impact(&box, q->way);
+                          : box_time_of_impact(&box, q->delta);
 }
 //<
 
@@ -142,9 +142,9 @@ plane surface_plane(const surface *s, int triangle)
 }
 
 // Point p, from where the way begins, seen along it.
-static void project_along(vec3 way, vec3 p, real seen[2])
+static void project_along(vec3 delta, vec3 p, real seen[2])
 {
-    const real d[3] = { way.x, way.y, way.z }, at[3] = { p.x, p.y, p.z };
+    const real d[3] = { delta.x, delta.y, delta.z }, at[3] = { p.x, p.y, p.z };
     int k = fabs(d[0]) > fabs(d[1]) ? 0 : 1;
     if (fabs(d[2]) > fabs(d[k])) k = 2;
     for (int i = 0; i < 2; i++) {
@@ -156,14 +156,14 @@ static void project_along(vec3 way, vec3 p, real seen[2])
 real surface_entry(const surface *s, int triangle, vec3 from, vec3 to)
 {
     const int *v = s->triangle[triangle];
-    vec3 n = normal_of(s, v), way = vec3_sub(to, from);
+    vec3 n = normal_of(s, v), delta = vec3_sub(to, from);
     real over = vec3_dot(n, vec3_sub(from, s->point[v[0]]));
     real under = -vec3_dot(n, vec3_sub(to, s->point[v[0]]));
     real seen[3][2];
     bool is_left = true, is_right = true;
     if (!(over >= 0 && under > 0)) return HUGE_VAL;
     for (int i = 0; i < 3; i++)
-        project_along(way, vec3_sub(s->point[v[i]], from), seen[i]);
+        project_along(delta, vec3_sub(s->point[v[i]], from), seen[i]);
     for (int i = 0; i < 3; i++) {
         const real *a = seen[i], *b = seen[(i + 1) % 3];
         real side = a[0] * b[1] - a[1] * b[0];
@@ -190,14 +190,14 @@ real surface_entry_below(const surface *s, int triangle, vec3 from, vec3 to,
                             vec3_sub(at[v[2]], at[v[0]]));
         real start = vec3_dot(n, vec3_sub(from, at[v[0]]));
         real end = vec3_dot(n, vec3_sub(to, at[v[0]]));
-        real share = start / (start - end);
+        real fraction = start / (start - end);
         if (start > 0 && !(end < 0)) return HUGE_VAL;
-        if (start > 0 && share > in) {
-            in = share;
+        if (start > 0 && fraction > in) {
+            in = fraction;
             through = i;
             *side = plane_of(n, at[v[0]]);
         }
-        if (!(start > 0) && end > 0) out = real_min(out, share);
+        if (!(start > 0) && end > 0) out = real_min(out, fraction);
     }
     if (through < 0) return -1;
     return through > 0 && in <= out ? in : HUGE_VAL;
@@ -244,8 +244,8 @@ enum { LOOKS = 4 };
 typedef struct {
     const surface *s;
     int  triangle;          // whose
-    vec3 from[LOOKS], way;  // m
-    real share;             // of the way to what is behind
+    vec3 from[LOOKS], delta;  // m
+    real fraction;             // of the way to what is behind
 } look_behind;
 
 static real measure_behind(void *context, int triangle)
@@ -255,13 +255,13 @@ static real measure_behind(void *context, int triangle)
     aabb b = aabb_empty();
     for (int i = 0; i < 3; i++) b = aabb_with(b, l->s->point[v[i]]);
     for (int k = 0; k < LOOKS && triangle != l->triangle; k++) {
-        vec3 from = l->from[k], to = vec3_add(from, l->way);
+        vec3 from = l->from[k], to = vec3_add(from, l->delta);
         aabb w = aabb_with((aabb){ from, from }, to);
         if (!aabbs_meet(&w, &b)) continue;
         real in = surface_entry(l->s, triangle, from, to);
         real out = 1 - surface_entry(l->s, triangle, to, from);
-        if (in <= 1) l->share = real_min(l->share, in);
-        if (out >= 0) l->share = real_min(l->share, out);
+        if (in <= 1) l->fraction = real_min(l->fraction, in);
+        if (out >= 0) l->fraction = real_min(l->fraction, out);
     }
     return 1;
 }
@@ -278,14 +278,14 @@ static real depth_of(const surface *s, int triangle)
     for (int k = 0; k < LOOKS; k++) {
         vec3 x = middle;
         if (k < 3) x = vec3_scale(0.5, vec3_add(x, s->point[v[k]]));
-        l.from[k] = vec3_add_scaled(x, -1e-6, l.way);
+        l.from[k] = vec3_add_scaled(x, -1e-6, l.delta);
         q.thing = aabb_with(q.thing, l.from[k]);
-        q.thing = aabb_with(q.thing, vec3_add(l.from[k], l.way));
+        q.thing = aabb_with(q.thing, vec3_add(l.from[k], l.delta));
     }
     surface_visit(s, &q);
     real thinnest = real_max(0.01 * s->thickness,
                              2 * THIN_FACE * sides_of(s, v).most);
-    return real_min(real_max(s->thickness * l.share, thinnest), s->thickness);
+    return real_min(real_max(s->thickness * l.fraction, thinnest), s->thickness);
 }
 
 // All are as deep as can be while the tree is asked, and have their boxes then.

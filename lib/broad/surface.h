@@ -35,11 +35,11 @@ typedef struct {
 //<
 
 //> surface-query
-// The question: which prisms may a box meet that moves straight by `way`?  Or, if
+// The question: which prisms may a box meet that moves straight by `delta`?  Or, if
 // by_distance, which are no further from it than `most` (m)?
 typedef struct {
     aabb  thing;
-    vec3 way;           // m
+    vec3 delta;           // m
     bool by_distance;
     real most;          // of the way (0 to 1), or m
     // Called with a triangle whose prism may be met; returns the new value of

@@ -184,11 +184,11 @@ void blow_forget(contact_solver *s)
         // point struck: it has stopped the slip.  If friction were given again
         // while nothing presses, it would turn the body into the ground, and the
         // ground would push back: boxes that tumble would gain energy.
-        real4 share = real4_if_positive(all, real4_div(left, all), zero);
-        share = real4_if_positive(k->struck, zero, share);
+        real4 fraction = real4_if_positive(all, real4_div(left, all), zero);
+        fraction = real4_if_positive(k->struck, zero, fraction);
         k->struck = zero;
         for (int i = 0; i < RUBS; i++)
-            k->rub[i] = real4_mul(share, k->rub[i]);
+            k->rub[i] = real4_mul(fraction, k->rub[i]);
     }
 }
 //<

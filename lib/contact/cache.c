@@ -180,7 +180,7 @@ static real pair_reach(const cache_frame *f, int a, int b)
     const prediction *x = &f->ahead[a], *y = &f->ahead[b];
     if (b < 0) return x->reach;
     if (f->now[a].is_driven || f->now[b].is_driven)
-        return vec3_distance(x->way, y->way) + x->turn + y->turn;
+        return vec3_distance(x->delta, y->delta) + x->turn + y->turn;
     return x->reach + y->reach;
 }
 
@@ -276,8 +276,8 @@ static real far_from(const rigid_frame *was, const rigid_frame *now,
         vec3 turn = vec3_sub(now->axis[i], was->axis[i]);
         turned += vec3_length_squared(turn);
     }
-    vec3 way = vec3_sub(now->center, was->center);
-    return sqrt(vec3_length_squared(way) + times * times * turned);
+    vec3 delta = vec3_sub(now->center, was->center);
+    return sqrt(vec3_length_squared(delta) + times * times * turned);
 }
 
 // In that update, or after it.
@@ -381,7 +381,7 @@ static void make_entries(contact_cache *c, const cache_frame *f)
 // other: they are asked when they first touch.
 static bool flies(const cache_frame *f, int a, int b)
 {
-    real far = vec3_distance(f->ahead[a].way, f->ahead[b].way);
+    real far = vec3_distance(f->ahead[a].delta, f->ahead[b].delta);
     return far > fmin(f->body[a].inner, f->body[b].inner);
 }
 
@@ -395,7 +395,7 @@ static real turned_arc(const cache_frame *f, int b)
 
 static bool turns(const cache_frame *f, int a, int b)
 {
-    real far = vec3_distance(f->ahead[a].way, f->ahead[b].way)
+    real far = vec3_distance(f->ahead[a].delta, f->ahead[b].delta)
              + turned_arc(f, a) + turned_arc(f, b);
     return far > f->body[a].inner + f->body[b].inner;
 }
@@ -408,7 +408,7 @@ static swept_motion motion_ahead(const cache_frame *f, int b, real *apart)
     bool turns = p->angle > 0 && p->angle < HALF_TURN;
     *apart += turns ? p->turn - p->arc : p->turn;
     return (swept_motion){
-        .center = f->now[b].frame.center, .way = p->way,
+        .center = f->now[b].frame.center, .delta = p->delta,
         .turn = turns ? p->spin : (vec3){ 0, 0, 0 },
         .out = turns ? p->arc / real_min(p->angle, 2) : 0 };
 }
@@ -449,7 +449,7 @@ static swept_status query_swept(contact *c, const cache_frame *f)
 static real closing_of(const cache_frame *f, const contact *c, vec3 normal)
 {
     const prediction *a = &f->ahead[c->piece_a], *b = &f->ahead[c->piece_b];
-    real closing = -vec3_dot(vec3_sub(a->way, b->way), normal);
+    real closing = -vec3_dot(vec3_sub(a->delta, b->delta), normal);
     return real_max(closing, 0) + a->turn + b->turn;
 }
 
@@ -493,7 +493,7 @@ static bool query_ahead(const cache_frame *f, const contact *c, collider a,
     int slider = seams_slider(f, c->piece_a, c->piece_b);
     bool is_a = is_asked_ahead(a.shape, slider == c->piece_a);
     collider *round = is_a ? &a : &b;
-    vec3 way = vec3_sub(f->ahead[c->piece_a].way, f->ahead[c->piece_b].way);
+    vec3 delta = vec3_sub(f->ahead[c->piece_a].delta, f->ahead[c->piece_b].delta);
     vec3 at[MOST_ROUND];
     real least = GLIDES * (round->shape->round + round->shape->rim);
     real gone = 0, turn = f->ahead[c->piece_a].angle + f->ahead[c->piece_b].angle;
@@ -506,10 +506,10 @@ static bool query_ahead(const cache_frame *f, const contact *c, collider a,
     round->in_range = false;
     for (int k = 0; ; k++) {
         for (int v = 0; v < round->shape->particles; v++)
-            at[v] = vec3_add_scaled(now[v], is_a ? gone : -gone, way);
-        if (k == CONTACT_ROUNDS || !(vec3_length(way) > least)) break;
+            at[v] = vec3_add_scaled(now[v], is_a ? gone : -gone, delta);
+        if (k == CONTACT_ROUNDS || !(vec3_length(delta) > least)) break;
         query_result r = query_nearest(&a, &b, HUGE_VAL, carried);
-        real closing = -vec3_dot(way, r.normal);
+        real closing = -vec3_dot(delta, r.normal);
         real touches = gone + r.at.gap / closing;
         if (!(r.at.gap > 0) || !(closing > 0) || gone == 1
             || (touches >= 1 && slider < 0)) break;
@@ -704,9 +704,9 @@ void cache_note(contact_cache *c, const contact_solver *s)
         if (c->of[k]->count > 0) c->of[k]->near += s->active[k].least;
 }
 
-void cache_moved(contact_cache *c, int b, real way)
+void cache_moved(contact_cache *c, int b, real delta)
 {
-    c->placing[b].path += way;
+    c->placing[b].path += delta;
 }
 //<
 

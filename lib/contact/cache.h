@@ -31,8 +31,8 @@ void cache_again(contact_cache *c, const cache_frame *f, int k);
 // After solver_activate: notes the least gap of each contact.
 void cache_note(contact_cache *c, const contact_solver *s);
 
-// Notes that body b has moved, none of its vertices by more than `way` (m).
-void cache_moved(contact_cache *c, int b, real way);
+// Notes that body b has moved, none of its vertices by more than `delta` (m).
+void cache_moved(contact_cache *c, int b, real delta);
 
 // Forgets what is kept of n bodies, which go, or are put elsewhere.  In the next frame
 // the list of pairs must be a new one.

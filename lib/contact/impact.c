@@ -93,17 +93,17 @@ static bool factor_set(impact_set *w)
 // none of them pulls; one that would is dropped.  True if that was all the way.
 static bool step_to_set(impact_set *w)
 {
-    real share = 1;
+    real fraction = 1;
     int least = -1, kept = 0;
     for (int i = 0; i < w->count; i++) {
         real now = w->impulse[w->set[i]];
-        if (w->stop[i] > 0 || !(now < share * (now - w->stop[i]))) continue;
-        share = now / (now - w->stop[i]);
+        if (w->stop[i] > 0 || !(now < fraction * (now - w->stop[i]))) continue;
+        fraction = now / (now - w->stop[i]);
         least = i;
     }
     for (int i = 0; i < w->count; i++) {
         real *now = &w->impulse[w->set[i]];
-        *now = i == least ? 0 : *now + share * (w->stop[i] - *now);
+        *now = i == least ? 0 : *now + fraction * (w->stop[i] - *now);
         if (i != least) w->set[kept++] = w->set[i];
     }
     w->count = kept;
@@ -134,21 +134,21 @@ static int find_closing(const impact_set *w)
 static bool take_over(impact_set *w)
 {
     int least = -1, last = w->set[w->good];
-    real most = HUGE_VAL, *share = w->stop;
+    real most = HUGE_VAL, *fraction = w->stop;
     for (int i = w->good - 1; i >= 0; i--) {
         int row = w->set[i];
-        share[i] = w->l[w->good][i];
-        for (int j = i + 1; j < w->good; j++) share[i] -= w->l[j][i] * share[j];
-        real gives = share[i] * fabs(share[i]) * w->k[row][row];
+        fraction[i] = w->l[w->good][i];
+        for (int j = i + 1; j < w->good; j++) fraction[i] -= w->l[j][i] * fraction[j];
+        real gives = fraction[i] * fabs(fraction[i]) * w->k[row][row];
         if (!(gives > 1e-12 * w->k[last][last])
-            || !(w->impulse[row] < most * share[i])) continue;
-        most = w->impulse[row] / share[i];
+            || !(w->impulse[row] < most * fraction[i])) continue;
+        most = w->impulse[row] / fraction[i];
         least = i;
     }
     if (least < 0) return false;
     for (int i = 0; i < w->good; i++) {
         real *now = &w->impulse[w->set[i]];
-        *now = real_max(*now - most * share[i], 0);
+        *now = real_max(*now - most * fraction[i], 0);
     }
     w->impulse[last] += most;
     w->impulse[w->set[least]] = 0;

@@ -171,7 +171,7 @@ static inline void find_arm(real4 arm[3], const bodies4 *b,
 // What the rows of a block are made of.
 typedef struct {
     bodies4 a, b;
-    real4 way[3];               // m, from B's centre to A's
+    real4 delta[3];               // m, from B's centre to A's
     real4 arm_a[CONTACT_POINTS][3], arm_b[CONTACT_POINTS][3];   // m
 } raw_block;
 
@@ -179,10 +179,10 @@ typedef struct {
 static inline void share_arms(raw_block *raw, real4 own, int j)
 {
     for (int i = 0; i < 3; i++) {
-        real4 seen = real4_sub(raw->arm_b[j][i], raw->way[i]);
+        real4 seen = real4_sub(raw->arm_b[j][i], raw->delta[i]);
         real4 off = real4_sub(raw->arm_a[j][i], seen);
         raw->arm_a[j][i] = real4_mad(own, off, seen);
-        raw->arm_b[j][i] = real4_add(raw->arm_a[j][i], raw->way[i]);
+        raw->arm_b[j][i] = real4_add(raw->arm_a[j][i], raw->delta[i]);
     }
 }
 
@@ -190,7 +190,7 @@ static void find_arms(const block *k, raw_block *raw)
 {
     real4 minus_a = real4_sub(real4_all(0), k->round_a);
     for (int i = 0; i < 3; i++)
-        raw->way[i] = real4_sub(raw->a.center[i], raw->b.center[i]);
+        raw->delta[i] = real4_sub(raw->a.center[i], raw->b.center[i]);
     for (int j = 0; j < k->points; j++) {
         find_arm(raw->arm_a[j], &raw->a, k->place[j].local_a);
         find_arm(raw->arm_b[j], &raw->b, k->place[j].local_b);
@@ -207,7 +207,7 @@ static void find_gaps(block *k, const raw_block *raw)
     for (int j = 0; j < k->points; j++) {
         real4 d[3];
         for (int i = 0; i < 3; i++)
-            d[i] = real4_add(raw->way[i], real4_sub(raw->arm_a[j][i],
+            d[i] = real4_add(raw->delta[i], real4_sub(raw->arm_a[j][i],
                                                     raw->arm_b[j][i]));
         k->point[j].gap = real4_sub(real4_dot(k->normal, d), k->height);
         k->point[j].now = k->point[j].gap;
@@ -360,16 +360,16 @@ static inline void find_center(const block *k, const raw_block *raw,
     for (int i = 0; i < 3; i++) center_a[i] = zero;
     for (int j = 0; j < k->points; j++) {
         real4 open = real4_mul(k->point[j].gap, k->per_near);
-        real4 share = real4_sub(real4_all(2), open);
-        share = real4_min(one, real4_max(share, real4_all(OPEN)));
-        share = real4_mul(share, k->place[j].has);
-        sum = real4_add(sum, share);
-        real4_add3(center_a, raw->arm_a[j], share);
+        real4 fraction = real4_sub(real4_all(2), open);
+        fraction = real4_min(one, real4_max(fraction, real4_all(OPEN)));
+        fraction = real4_mul(fraction, k->place[j].has);
+        sum = real4_add(sum, fraction);
+        real4_add3(center_a, raw->arm_a[j], fraction);
     }
     real4 per_sum = real4_div(one, real4_if_positive(sum, sum, one));
     for (int i = 0; i < 3; i++) {
         center_a[i] = real4_mul(center_a[i], per_sum);
-        center_b[i] = real4_add(center_a[i], raw->way[i]);
+        center_b[i] = real4_add(center_a[i], raw->delta[i]);
     }
 }
 
@@ -869,9 +869,9 @@ ALWAYS_INLINE void brake_block(block *k, real4 most, sides4 *u, bool two)
                            real4_mad(mass[1], x, real4_mul(mass[2], y)));
     real4 length = real4_sqrt(real4_mad(impulse[0], impulse[0],
                                         real4_mul(impulse[1], impulse[1])));
-    real4 share = real4_min(real4_div(most, real4_max(length, least)), one);
+    real4 fraction = real4_min(real4_div(most, real4_max(length, least)), one);
     for (int i = 0; i < 2; i++) {
-        impulse[i] = real4_mul(share, impulse[i]);
+        impulse[i] = real4_mul(fraction, impulse[i]);
         real4 change = real4_sub(impulse[i], k->rub[i]);
         k->rub[i] = impulse[i];
         push_centers(k, k->across[i], change, u, two);

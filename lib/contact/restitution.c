@@ -147,14 +147,14 @@ static bool meets_fast(const impact_solver *s, impact *x, real slowest)
 {
     const contact *c = x->found;
     real fallen = s->pull * s->f->h, most = -HUGE_VAL, spin = 0;
-    vec3 way[BODIES], turn[BODIES];
+    vec3 delta[BODIES], turn[BODIES];
     for (int side = A; side < BODIES; side++) {
         int b = side == A ? c->a : c->b;
-        way[side] = motion_straight(&x->u[side]);
+        delta[side] = motion_straight(&x->u[side]);
         turn[side] = motion_rotation(x->pair.basis[side], &x->u[side]);
         if (b >= 0) spin += s->f->body[b].radius * vec3_length(turn[side]);
     }
-    vec3 closing = vec3_sub(way[B], way[A]);
+    vec3 closing = vec3_sub(delta[B], delta[A]);
     real straight = fallen + vec3_dot(c->normal, closing);
     if (!(straight + spin > slowest)) return false;
     const rigid_frame *a = &s->f->body[c->a].frame;
@@ -261,8 +261,8 @@ static bool are_balls(const contact *c)
 static vec3 predicted_center(const solver_frame *f, int b, const motion *u,
                    const motion *moved)
 {
-    vec3 way = vec3_add_scaled(motion_straight(moved), f->h, motion_straight(u));
-    return vec3_add(f->body[b].frame.center, way);
+    vec3 delta = vec3_add_scaled(motion_straight(moved), f->h, motion_straight(u));
+    return vec3_add(f->body[b].frame.center, delta);
 }
 
 bool restitution_face(contact *c, const solver_frame *f,
@@ -439,9 +439,9 @@ static void stop_sliding(impact *x, const vec3 arm[BODIES], real most)
     real rr = impact_product(&r, &r), rs = impact_product(&r, &s);
     real ss = impact_product(&s, &s), volume = rr * ss - rs * rs;
     real f = -ss * speed / volume, g = rs * speed / volume;
-    real size = sqrt(f * f + g * g), share = size > most ? most / size : 1;
-    impact_push(&r, share * f, x->u);
-    impact_push(&s, share * g, x->u);
+    real size = sqrt(f * f + g * g), fraction = size > most ? most / size : 1;
+    impact_push(&r, fraction * f, x->u);
+    impact_push(&s, fraction * g, x->u);
 }
 
 // The same about the normal.

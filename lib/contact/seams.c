@@ -147,13 +147,13 @@ static real turns_of(const slider *s, int b)
 static bool stay_together(const slider *s, int b, int c)
 {
     const cache_frame *f = s->f;
-    vec3 way = f->ahead[b].way;
+    vec3 delta = f->ahead[b].delta;
     if (c >= 0) {
         if (f->body[b].family > 0 && f->body[b].family == f->body[c].family)
             return true;
-        way = vec3_sub(way, f->ahead[c].way);
+        delta = vec3_sub(delta, f->ahead[c].delta);
     }
-    return vec3_length(way) + turns_of(s, b) + turns_of(s, c)
+    return vec3_length(delta) + turns_of(s, b) + turns_of(s, c)
            <= stays_within(s);
 }
 
@@ -172,10 +172,10 @@ static vec3 inwards(const collider *x, int face, vec3 p, real far)
 {
     const int *v = &x->shape->face[3 * face];
     vec3 sum = vec3_add(vec3_add(x->at[v[0]], x->at[v[1]]), x->at[v[2]]);
-    vec3 way = vec3_sub(vec3_scale(1.0 / 3, sum), p);
-    real length = vec3_length(way);
-    return length > far ? vec3_add_scaled(p, far / length, way)
-                        : vec3_add(p, way);
+    vec3 delta = vec3_sub(vec3_scale(1.0 / 3, sum), p);
+    real length = vec3_length(delta);
+    return length > far ? vec3_add_scaled(p, far / length, delta)
+                        : vec3_add(p, delta);
 }
 
 // Covered: all points in which A touches B lie in C, or on it, and so does the side
@@ -277,10 +277,10 @@ static manifold find_along(const slider *s, const contact *x, vec3 m)
     collider b = cache_collider(s->c, f, x->piece_b);
     vec3 moved[MOST_CORNERS];
     if (a.shape->particles > MOST_CORNERS) return (manifold){ .count = 0 };
-    vec3 way = vec3_sub(f->ahead[x->piece_a].way, f->ahead[x->piece_b].way);
-    way = vec3_add_scaled(way, -vec3_dot(way, m), m);
+    vec3 delta = vec3_sub(f->ahead[x->piece_a].delta, f->ahead[x->piece_b].delta);
+    delta = vec3_add_scaled(delta, -vec3_dot(delta, m), m);
     for (int v = 0; v < a.shape->particles; v++)
-        moved[v] = vec3_add(a.at[v], way);
+        moved[v] = vec3_add(a.at[v], delta);
     a.at = moved;
     return touches_along(&a, &b, m, contact_reach(s, x),
                          f->ahead[x->piece_a].angle + f->ahead[x->piece_b].angle);
@@ -425,10 +425,10 @@ static void correct_sides(slider *s)
 // May x be merged with others?  (What comes down fast has points of its own.)
 static bool is_floor(const slider *s, const side *x)
 {
-    vec3 way = s->f->ahead[s->a].way;
+    vec3 delta = s->f->ahead[s->a].delta;
     return x->is_new && x->points > 0 && !s->f->moves[x->b]
         && s->f->body[x->b].family > 0
-        && -vec3_dot(way, x->n) <= s->f->body[s->a].inner;
+        && -vec3_dot(delta, x->n) <= s->f->body[s->a].inner;
 }
 
 // All sides in the plane of the first; returns how many.
@@ -513,11 +513,11 @@ static void carry_floor(const slider *s, const side *x, const int *of, int n)
 // hands its load on for as long as A is near it.
 static void begin_with_last(const slider *s, int *of, int n)
 {
-    vec3 way = s->f->ahead[s->a].way;
+    vec3 delta = s->f->ahead[s->a].delta;
     int best = 0;
     real most = -HUGE_VAL;
     for (int k = 0; k < n; k++) {
-        real far = vec3_dot(way, s->c->placed[s->side[of[k]].b].center);
+        real far = vec3_dot(delta, s->c->placed[s->side[of[k]].b].center);
         if (far > most) most = far, best = k;
     }
     SWAP(int, of[0], of[best]);

@@ -220,7 +220,7 @@ static real speed_to(const joint *j, const joint_rows *r, int side, real h,
     bool is_open = side < 0 ? left < 0 : left > 0;
     if (is_open)    return left / h;
     if (is_over)    return 0;
-    return real_max(real_min(r->share * left / h, most), -most);
+    return real_max(real_min(r->fraction * left / h, most), -most);
 }
 
 real actuator_bias(const joint *j, joint_rows *r, real h, real joint_rate,
@@ -319,7 +319,7 @@ real actuator_bias_cone(const joint *j, joint_rows *r, int i, real h,
                         real joint_rate, const real *end, real speed)
 {
     int k = r->held + i;
-    real room = r->error[k], back = real_min(-r->share * room / h, joint_rate);
+    real room = r->error[k], back = real_min(-r->fraction * room / h, joint_rate);
     if (!end)           r->cone_want[i] = -real_max(room, 0) / h - speed;
     else if (room > 0)  r->cone_want[i] = -*end / h;
     else                r->cone_want[i] = (room - *end) / h + back;

@@ -339,10 +339,10 @@ static void point_rows(real (*row)[MOTIONS], const joint_side *s, vec3 at,
     for (int k = 0; k < 3; k++)
         for (int i = 0; i < 3; i++) row[k][i] = k == i ? sign : 0;
     for (int t = 0; t < TURNS; t++) {
-        vec3 way = vec3_cross(s->basis->turn[t], arm);
-        row[0][MOTION_TURN + t] = way.x;
-        row[1][MOTION_TURN + t] = way.y;
-        row[2][MOTION_TURN + t] = way.z;
+        vec3 delta = vec3_cross(s->basis->turn[t], arm);
+        row[0][MOTION_TURN + t] = delta.x;
+        row[1][MOTION_TURN + t] = delta.y;
+        row[2][MOTION_TURN + t] = delta.z;
     }
 }
 

@@ -315,7 +315,7 @@ static void bias_to_end(const linkage *l, const linkage_pass *q, int number,
     joint_errors(j, r, end_of(l, q, j->a), end_of(l, q, j->b), then);
     for (int k = 0; k < r->held + j->is_limited; k++) {
         bool is_open = k == r->held && r->error[k] > 0;
-        real left = is_open ? 0 : (1 - r->share) * r->error[k];
+        real left = is_open ? 0 : (1 - r->fraction) * r->error[k];
         want[k] = (left - then[k]) / h - r->give[k] * j->impulse[k];
     }
 }
@@ -1165,26 +1165,26 @@ static vec3 straight_impulse(const joint *j, const joint_rows *r,
 static void add_stiffness(const linkage_pass *q, linkage_body *x, int b, vec3 at,
                           vec3 impulse)
 {
-    vec3 arm = vec3_sub(at, joined_frame(q, b)->center), way[TURNS];
+    vec3 arm = vec3_sub(at, joined_frame(q, b)->center), delta[TURNS];
     real pull = vec3_length(impulse), all = vec3_length(arm);
     if (!(pull > 0 && all > 0)) return;
     vec3 s = vec3_add_scaled(vec3_scale(1 / pull, impulse), 1 / all, arm);
     real times = q->f->h * pull * all / 4;
     for (int t = 0; t < TURNS; t++)
-        way[t] = vec3_cross(basis_of(q->f, b)->turn[t], s);
+        delta[t] = vec3_cross(basis_of(q->f, b)->turn[t], s);
     for (int i = 0; i < TURNS; i++)
         for (int k = 0; k < TURNS; k++)
-            x->heavy[i][k] += times * vec3_dot(way[i], way[k]);
+            x->heavy[i][k] += times * vec3_dot(delta[i], delta[k]);
 }
 
 // A swing with h w > 1 gets so much inertia that h w is 1 again.
 static void weigh_joined(linkage_body *x)
 {
     real all = x->heavy[0][0] + x->heavy[1][1] + x->heavy[2][2];
-    real m[JOINT_ROWS][JOINT_ROWS], share = all > 1 ? 1 - 1 / all : 0;
+    real m[JOINT_ROWS][JOINT_ROWS], fraction = all > 1 ? 1 - 1 / all : 0;
     for (int i = 0; i < TURNS; i++)
         for (int k = 0; k < TURNS; k++)
-            m[i][k] = (i == k) + (x->heavy[i][k] *= share);
+            m[i][k] = (i == k) + (x->heavy[i][k] *= fraction);
     small_invert(TURNS, m);
     for (int i = 0; i < TURNS; i++) memcpy(x->light[i], m[i], sizeof x->light[i]);
 }
@@ -1341,9 +1341,9 @@ static void find_rows_of(linkage *l, const linkage_pass *q, int k)
         j->impulse[4] = j->cone_holds[1] = 0;
     r->count = r->held + (j->is_limited && j->impulse[r->held] > 0)
              + j->extra;
-    r->share = correction_share(l, k, q->f);
+    r->fraction = correction_share(l, k, q->f);
     if (l->role[k] == JOINT_ALONE)
-        r->share = real_min(r->share, TURN_ALONE / (2 + TURN_ALONE));
+        r->fraction = real_min(r->fraction, TURN_ALONE / (2 + TURN_ALONE));
     l->worst = real_max(l->worst, parted_by(j, r));
     l->parted += parted_by(j, r) > STRAINED * r->size || tilted_by(r) > STRAINED;
     if (l->role[k] == JOINT_ALONE) factor_alone(l, q, k);
@@ -1825,10 +1825,10 @@ static real swung_squared(const linkage_pass *q, const joint *j)
     vec3 a, b;
     if (j->kind != JOINT_DISTANCE || j->is_driven || !(j->force > 0)) return 0;
     joint_points(j, joined_frame(q, j->a), joined_frame(q, j->b), &a, &b);
-    vec3 way = vec3_sub(b, a);
+    vec3 delta = vec3_sub(b, a);
     vec3 speed = vec3_sub(velocity_of(q, j->b, b), velocity_of(q, j->a, a));
     real most = j->most * j->most;
-    vec3 across = vec3_cross(way, speed);
+    vec3 across = vec3_cross(delta, speed);
     return most > 0 ? vec3_length_squared(across) / (most * most) : 0;
 }
 

@@ -114,10 +114,10 @@ void pins_end(linkage *l, const soft_frame *f)
         joint *j = &l->joint[k];
         if (!pin_holds(f, j)) continue;
         particle *p = particle_of(f, j);
-        vec3 way = vec3_sub(p->position, j->start);
+        vec3 delta = vec3_sub(p->position, j->start);
         if (j->own > 0)
-            way = vec3_scale(j->own / p->inverse_mass, way);
-        p->position = vec3_add(j->start, way);
+            delta = vec3_scale(j->own / p->inverse_mass, delta);
+        p->position = vec3_add(j->start, delta);
         p->inverse_mass = j->own;
         meet_pin(f, j);
         j->force = vec3_length(vec3_make(j->impulse[0], j->impulse[1],

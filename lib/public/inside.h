@@ -176,7 +176,7 @@ tumble_contact inside_contact(const tumble_world *w, const contact *c,
 void inside_forget_joints(tumble_world *w);
 
 // What does a thing meet first that moves straight by `way` (m) without turning?
-bool inside_sweep(const tumble_world *w, rounded thing, vec3 way, unsigned mask,
+bool inside_sweep(const tumble_world *w, rounded thing, vec3 delta, unsigned mask,
                   tumble_hit *hit);
 // What is nearest to a thing, within `most` (m, > 0), or overlaps it most?  fraction is
 // the gap (m, < 0: overlap), and the normal parts the thing from it.

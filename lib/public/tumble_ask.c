@@ -15,7 +15,7 @@ typedef cast_result cast_query(const question *q, rounded b, const plane *p,
                                vec3 *scratch);
 struct question {
     rounded thing;
-    vec3 way;           // m
+    vec3 delta;           // m
     sphere around;      // the thing, before it goes; of one that turns, about its
     unsigned mask;      // centre of mass
     vec3 turn;          // rad; zero: it does not
@@ -37,10 +37,10 @@ static rounded rounded_body(const tumble_world *w, int b, vec3 *at)
 static real path_distance(const question *q, vec3 x)
 {
     vec3 d = vec3_sub(x, q->around.center);
-    real square = vec3_length_squared(q->way), along = vec3_dot(d, q->way);
+    real square = vec3_length_squared(q->delta), along = vec3_dot(d, q->delta);
     real t = square > 0 ? along / square : 0;
     t = t < 0 ? 0 : t > 1 ? 1 : t;
-    return vec3_length_squared(vec3_add_scaled(d, -t, q->way));
+    return vec3_length_squared(vec3_add_scaled(d, -t, q->delta));
 }
 
 // May body b of the engine, a rigid one, be met?
@@ -68,7 +68,7 @@ static rounded behind(const question *q, const plane *p, vec3 at[4])
 {
     vec3 n = p->normal, center = q->around.center;
     real height = vec3_dot(center, n) - p->offset;
-    real far = 8 * (q->around.radius + vec3_length(q->way) + fabs(height));
+    real far = 8 * (q->around.radius + vec3_length(q->delta) + fabs(height));
     vec3 other = { fabs(n.x) < 0.5, fabs(n.x) >= 0.5, 0 };
     vec3 x = vec3_scale(far, vec3_unit(vec3_cross(n, other)));
     vec3 y = vec3_cross(n, x), foot = vec3_add_scaled(center, -height, n);
@@ -83,13 +83,13 @@ static rounded behind(const question *q, const plane *p, vec3 at[4])
 static cast_result query_path(const question *q, rounded b, const plane *p,
                               vec3 *scratch)
 {
-    const swept_motion m = { q->around.center, q->way, q->turn,
+    const swept_motion m = { q->around.center, q->delta, q->turn,
                              q->around.radius - q->thing.round };
     vec3 at[4];
     if (vec3_length(q->turn) > 0)
         return cast_turning(q->thing, &m, p ? behind(q, p, at) : b, scratch);
-    return p ? cast_first_plane(q->thing, q->way, *p)
-             : cast_first(q->thing, q->way, b, scratch);
+    return p ? cast_first_plane(q->thing, q->delta, *p)
+             : cast_first(q->thing, q->delta, b, scratch);
 }
 //<
 
@@ -146,7 +146,7 @@ static void query_mesh(const tumble_world *w, const body_place *x,
     surface_query ask = {
         .thing = { vec3_sub(center, (vec3){ r, r, r }),
                    vec3_add(center, (vec3){ r, r, r }) },
-        .way = q->way, .by_distance = q->by_distance,
+        .delta = q->delta, .by_distance = q->by_distance,
         .most = real_min(best->fraction, q->most), .meets = query_prism,
         .context = &m };
     surface_visit(m.surface, &ask);
@@ -228,7 +228,7 @@ static void query_place(const tumble_world *w, int k, const question *q,
 // So many places there are to be asked; 0: of what is not finite, nothing.
 static int askable(const tumble_world *w, const question *q)
 {
-    bool is_finite = vec3_is_finite(q->way) && vec3_is_finite(q->around.center);
+    bool is_finite = vec3_is_finite(q->delta) && vec3_is_finite(q->around.center);
     return w && is_finite ? w->bodies.count + w->world.planes : 0;
 }
 
@@ -306,11 +306,11 @@ static bool stand_shape(const tumble_world *w, tumble_shape s, tumble_pose pose,
 }
 
 bool tumble_world_sweep_turning(const tumble_world *w, tumble_shape s,
-                                tumble_pose pose, tumble_vec3 way,
+                                tumble_pose pose, tumble_vec3 delta,
                                 tumble_vec3 turn, unsigned mask,
                                 tumble_hit *hit)
 {
-    question q = { .way = from_user(way), .mask = mask, .ask = query_path,
+    question q = { .delta = from_user(delta), .mask = mask, .ask = query_path,
                    .turn = from_user(turn), .most = 1 };
     if (!stand_shape(w, s, pose, &q) || !vec3_is_finite(q.turn)) return false;
     vec3 center = from_user(pose.position);
@@ -320,19 +320,19 @@ bool tumble_world_sweep_turning(const tumble_world *w, tumble_shape s,
 }
 
 bool tumble_world_sweep(const tumble_world *w, tumble_shape s, tumble_pose pose,
-                        tumble_vec3 way, unsigned mask, tumble_hit *hit)
+                        tumble_vec3 delta, unsigned mask, tumble_hit *hit)
 {
     const tumble_vec3 turn = { 0, 0, 0 };
-    return tumble_world_sweep_turning(w, s, pose, way, turn, mask, hit);
+    return tumble_world_sweep_turning(w, s, pose, delta, turn, mask, hit);
 }
 //<
 
 //> face-ask-inside
 //>   A character (`tumble_walk.c`) is a capsule that no shape stands for.
-bool inside_sweep(const tumble_world *w, rounded thing, vec3 way, unsigned mask,
+bool inside_sweep(const tumble_world *w, rounded thing, vec3 delta, unsigned mask,
                   tumble_hit *hit)
 {
-    question q = { .thing = thing, .way = way, .around = rounded_ball(thing),
+    question q = { .thing = thing, .delta = delta, .around = rounded_ball(thing),
                    .mask = mask, .ask = query_path, .most = 1 };
     return first_met(w, &q, hit);
 }

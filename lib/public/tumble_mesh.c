@@ -73,7 +73,7 @@ static void remove_prisms(tumble_world *w, body_place *x, int kept)
 typedef struct {
     int body;
     sphere ball;
-    vec3 way;           // m
+    vec3 delta;           // m
     real beside;        // m, how far any of it gets out of the ball beside that
     aabb reach;         // around all that
 } presence;
@@ -92,10 +92,10 @@ static presence presence_of(const world *w, int b)
 {
     const prediction *ahead = &w->rigid.ahead[b];
     const body *x = &w->body[b];
-    presence it = { .body = b, .ball = world_ball(w, b), .way = ahead->way };
+    presence it = { .body = b, .ball = world_ball(w, b), .delta = ahead->delta };
     it.beside = body_is_soft(x) ? soft_beside(w, x) : ahead->turn;
     it.reach = aabb_wider((aabb){ it.ball.center, it.ball.center },
-                         it.ball.radius + it.beside + vec3_length(it.way));
+                         it.ball.radius + it.beside + vec3_length(it.delta));
     return it;
 }
 
@@ -173,7 +173,7 @@ static void surround_body(surrounding *s, const presence *it)
 {
     const body_place *x = slots_at(&s->w->bodies, s->place);
     body_mesh *m = x->mesh;
-    real far = vec3_length(it->way), radius = it->ball.radius;
+    real far = vec3_length(it->delta), radius = it->ball.radius;
     real reach = far + it->beside;
     bool is_fast = far > radius;
     if (!aabbs_meet(&m->surface.prisms.node[1], &it->reach)
@@ -184,7 +184,7 @@ static void surround_body(surrounding *s, const presence *it)
     aabb at = { it->ball.center, it->ball.center };
     surface_query q = { .thing = aabb_wider(at, radius), .most = 1,
                         .meets = surround_prism, .context = s };
-    if (is_fast) q.way = it->way;
+    if (is_fast) q.delta = it->delta;
     s->lost = false;
     surface_visit(&m->surface, &q);
     *seen = (sphere){ it->ball.center, is_fast || s->lost ? -1 : radius };
@@ -277,16 +277,16 @@ static real enter_prism(void *context, int triangle)
 {
     face_passage *p = context;
     plane side;
-    real share = surface_entry(p->surface, triangle, p->from, p->to);
-    if (share < p->first || (share == p->first && triangle < p->triangle)) {
-        p->first = share;
+    real fraction = surface_entry(p->surface, triangle, p->from, p->to);
+    if (fraction < p->first || (fraction == p->first && triangle < p->triangle)) {
+        p->first = fraction;
         p->triangle = triangle;
         p->side = surface_plane(p->surface, triangle);
     }
-    share = surface_entry_below(p->surface, triangle, p->from, p->to, &side);
-    p->is_inside |= share < 0;
-    if (share >= 0 && share < p->below) {
-        p->below = share;
+    fraction = surface_entry_below(p->surface, triangle, p->from, p->to, &side);
+    p->is_inside |= fraction < 0;
+    if (fraction >= 0 && fraction < p->below) {
+        p->below = fraction;
         p->side_below = side;
     }
     return 1;

@@ -48,13 +48,13 @@ static rounded capsule_of(const walk *k, vec3 end[2])
 }
 
 // False: it went all of the way.  Else *left is what is left of it, 0 to 1.
-static bool move_until_hit(walk *k, vec3 way, real *left, tumble_hit *hit)
+static bool move_until_hit(walk *k, vec3 delta, real *left, tumble_hit *hit)
 {
     vec3 end[2];
-    real length = vec3_length(way), ahead = length + 2 * k->apart;
+    real length = vec3_length(delta), ahead = length + 2 * k->apart;
     *left = 0;
     if (!(length > 0)) return false;
-    vec3 along = vec3_scale(1 / length, way);
+    vec3 along = vec3_scale(1 / length, delta);
     real stop = length;
     if (inside_sweep(k->w, capsule_of(k, end), vec3_scale(ahead, along),
                      k->how->mask, hit)) {
@@ -87,27 +87,27 @@ static void push_out(walk *k)
 //>   wall, only the edge between the two is left, and in a corner of three nothing.
 //>   It is always the way that was wanted: one that a wall has turned already would be
 //>   turned back by the next, and jitter in corners.
-static bool leads_out(vec3 way, const vec3 *wall, int walls)
+static bool leads_out(vec3 delta, const vec3 *wall, int walls)
 {
-    real rounding = 1e-9 * vec3_length(way);
+    real rounding = 1e-9 * vec3_length(delta);
     for (int i = 0; i < walls; i++)
-        if (vec3_dot(way, wall[i]) < -rounding) return false;
+        if (vec3_dot(delta, wall[i]) < -rounding) return false;
     return true;
 }
 
-static vec3 slide_along(vec3 way, const vec3 *wall, int walls)
+static vec3 slide_along(vec3 delta, const vec3 *wall, int walls)
 {
-    if (leads_out(way, wall, walls)) return way;
+    if (leads_out(delta, wall, walls)) return delta;
     for (int i = 0; i < walls; i++) {
-        vec3 v = vec3_add_scaled(way, -vec3_dot(way, wall[i]), wall[i]);
-        if (vec3_dot(way, wall[i]) < 0 && leads_out(v, wall, walls)) return v;
+        vec3 v = vec3_add_scaled(delta, -vec3_dot(delta, wall[i]), wall[i]);
+        if (vec3_dot(delta, wall[i]) < 0 && leads_out(v, wall, walls)) return v;
     }
     for (int i = 1; i < walls; i++)
         for (int m = 0; m < i; m++) {
             vec3 edge = vec3_cross(wall[i], wall[m]);
             real square = vec3_length_squared(edge);
             if (!(square > 0)) continue;
-            vec3 v = vec3_scale(vec3_dot(way, edge) / square, edge);
+            vec3 v = vec3_scale(vec3_dot(delta, edge) / square, edge);
             if (leads_out(v, wall, walls)) return v;
         }
     return (vec3){ 0, 0, 0 };
@@ -123,27 +123,27 @@ static vec3 level_part(const walk *k, vec3 v)
     return vec3_add_scaled(v, -vec3_dot(v, k->up), k->up);
 }
 
-static vec3 lifted(const walk *k, vec3 way, const vec3 *ground, int grounds)
+static vec3 lifted(const walk *k, vec3 delta, const vec3 *ground, int grounds)
 {
     real lift = 0;
     for (int i = 0; i < grounds; i++)
-        lift = real_max(lift, -vec3_dot(way, ground[i])
+        lift = real_max(lift, -vec3_dot(delta, ground[i])
                         / vec3_dot(k->up, ground[i]));
-    return vec3_add_scaled(way, lift, k->up);
+    return vec3_add_scaled(delta, lift, k->up);
 }
 
 // Goes a level way; false: it did not go all of it.
-static bool move_level(walk *k, vec3 way)
+static bool move_level(walk *k, vec3 delta)
 {
     vec3 wall[BENDS], ground[BENDS];
     int walls = 0, grounds = 0;
     for (int i = 0; i < BENDS; i++) {
         tumble_hit h;
         real left;
-        vec3 v = slide_along(way, wall, walls);
+        vec3 v = slide_along(delta, wall, walls);
         v = lifted(k, v, ground, grounds);
         if (!move_until_hit(k, v, &left, &h)) return walls == 0;
-        way = vec3_scale(left, way);
+        delta = vec3_scale(left, delta);
         vec3 n = from_user(h.normal), upright = level_part(k, n);
         real length = vec3_length(upright);
         if (vec3_dot(n, k->up) >= k->level) {
@@ -151,7 +151,7 @@ static bool move_level(walk *k, vec3 way)
             continue;
         }
         // A ceiling over a slope stops it.
-        if (!(length > SMALL)) upright = vec3_scale(-1, way);
+        if (!(length > SMALL)) upright = vec3_scale(-1, delta);
         wall[walls++] = vec3_unit(upright);
     }
     return false;
@@ -206,38 +206,38 @@ static bool land(walk *k, real most, real below)
 //> face-walk-step
 //>   Before a wall it tries the way once more from a step higher. If it gets further
 //>   so, and comes down on ground, that is where it goes.
-static void tread(walk *k, vec3 way)
+static void tread(walk *k, vec3 delta)
 {
     walk over = *k;
     vec3 from = k->at;
     tumble_hit h;
     real left, step = k->how->step, below = k->height - foot_height(k);
-    bool is_free = move_level(k, way);
+    bool is_free = move_level(k, delta);
     land(k, step + k->apart, 0);
     if (is_free || !(step > 0)) return;
     move_until_hit(&over, vec3_scale(step + below, k->up), &left, &h);
-    move_level(&over, way);
-    real further = vec3_dot(vec3_sub(over.at, k->at), way);
-    if (!(further > SMALL * vec3_length_squared(way))) return;
+    move_level(&over, delta);
+    real further = vec3_dot(vec3_sub(over.at, k->at), delta);
+    if (!(further > SMALL * vec3_length_squared(delta))) return;
     real raised = vec3_dot(vec3_sub(over.at, from), k->up);
     if (land(&over, raised + step + k->apart, below)) *k = over;
 }
 
 // Goes through the air, until there is ground.
-static void fly(walk *k, vec3 way)
+static void fly(walk *k, vec3 delta)
 {
     vec3 wall[BENDS];
     for (int walls = 0; walls < BENDS; walls++) {
         tumble_hit h;
         real left;
-        if (!move_until_hit(k, slide_along(way, wall, walls), &left, &h)) return;
-        if (vec3_dot(way, k->up) < 0 && supports(k, &h, k->how->step)) {
+        if (!move_until_hit(k, slide_along(delta, wall, walls), &left, &h)) return;
+        if (vec3_dot(delta, k->up) < 0 && supports(k, &h, k->how->step)) {
             k->ground = h;
             k->stands = true;
             return;
         }
         wall[walls] = from_user(h.normal);
-        way = vec3_scale(left, way);
+        delta = vec3_scale(left, delta);
     }
 }
 //<
@@ -253,7 +253,7 @@ tumble_walker tumble_walker_capsule(double length, double radius)
 }
 
 static bool begin_walk(walk *k, const tumble_world *w,
-                       const tumble_walker *how, const tumble_walk *from, vec3 way)
+                       const tumble_walker *how, const tumble_walk *from, vec3 delta)
 {
     const tumble_vec3 x = { 1, 0, 0 };
     real up = vec3_length(from_user(how->up));
@@ -263,7 +263,7 @@ static bool begin_walk(walk *k, const tumble_world *w,
                 && how->step >= 0 && how->step < HUGE_VAL;
     bool is_turn = how->slope >= 0 && 2 * how->slope < JOINT_HALF_TURN
                 && up > 0 && up < HUGE_VAL;
-    if (!w || !is_size || !is_turn || !vec3_is_finite(way)
+    if (!w || !is_size || !is_turn || !vec3_is_finite(delta)
         || !vec3_is_finite(from_user(from->position))
         || !vec3_is_finite(from_user(from->point))
         || !vec3_is_finite(from_user(from->foot))) return false;
@@ -301,10 +301,10 @@ static tumble_walk walk_result(const walk *k)
 }
 
 bool tumble_world_walk(const tumble_world *w, tumble_walker how,
-                       tumble_walk from, tumble_vec3 way, tumble_walk *to)
+                       tumble_walk from, tumble_vec3 delta, tumble_walk *to)
 {
     walk k;
-    vec3 v = from_user(way);
+    vec3 v = from_user(delta);
     if (!begin_walk(&k, w, &how, &from, v)) return false;
     real rise = vec3_dot(v, k.up);
     vec3 up = vec3_scale(rise, k.up), flat = vec3_sub(v, up);

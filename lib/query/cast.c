@@ -37,11 +37,11 @@ sphere rounded_ball(rounded r)
     return s;
 }
 
-static cast_result met(const swept_result *s, rounded a, vec3 way, rounded b)
+static cast_result met(const swept_result *s, rounded a, vec3 delta, rounded b)
 {
     if (s->status == SWEPT_OVERLAP)
         return (cast_result){ true, 0, a.core.at[0],
-                              unit(vec3_scale(-1, way)) };
+                              unit(vec3_scale(-1, delta)) };
     if (s->status == SWEPT_PASSES || s->status == SWEPT_NOT_FINITE)
         return (cast_result){ .hits = false };
     vec3 surface = vec3_add_scaled(s->on_b, b.round, s->normal);
@@ -62,9 +62,9 @@ typedef struct {
 
 static axial axial_of(rounded c, vec3 x)
 {
-    vec3 way = vec3_sub(c.core.at[1], c.core.at[0]);
-    real length = vec3_length(way);
-    vec3 axis = vec3_scale(1 / length, way), d = vec3_sub(x, c.core.at[0]);
+    vec3 delta = vec3_sub(c.core.at[1], c.core.at[0]);
+    real length = vec3_length(delta);
+    vec3 axis = vec3_scale(1 / length, delta), d = vec3_sub(x, c.core.at[0]);
     real up = vec3_dot(d, axis);
     return (axial){ axis, length, up, vec3_add_scaled(d, -up, axis) };
 }
@@ -110,18 +110,18 @@ static void pass_side(passage *p, const axial *at, vec3 v, real radius)
     clip_entry(p, from, to, unit(vec3_add_scaled(at->off, from, v)));
 }
 
-static cast_result ray_cylinder(vec3 from, vec3 way, rounded c)
+static cast_result ray_cylinder(vec3 from, vec3 delta, rounded c)
 {
     axial at = axial_of(c, from);
-    real speed = vec3_dot(way, at.axis);
+    real speed = vec3_dot(delta, at.axis);
     passage p = { -HUGE_VAL, HUGE_VAL, { 0, 0, 0 } };
     pass_ends(&p, &at, speed);
-    pass_side(&p, &at, vec3_add_scaled(way, -speed, at.axis), c.rim);
+    pass_side(&p, &at, vec3_add_scaled(delta, -speed, at.axis), c.rim);
     if (!(p.from <= p.to && p.to >= 0 && p.from <= 1))
         return (cast_result){ .hits = false };
     if (p.from <= 0)
-        return (cast_result){ true, 0, from, unit(vec3_scale(-1, way)) };
-    return (cast_result){ true, p.from, vec3_add_scaled(from, p.from, way),
+        return (cast_result){ true, 0, from, unit(vec3_scale(-1, delta)) };
+    return (cast_result){ true, p.from, vec3_add_scaled(from, p.from, delta),
                           p.normal };
 }
 
@@ -148,33 +148,33 @@ static bool is_point(rounded a)
     return a.core.count == 1 && a.round == 0;
 }
 
-cast_result cast_first(rounded a, vec3 way, rounded b, vec3 *scratch)
+cast_result cast_first(rounded a, vec3 delta, rounded b, vec3 *scratch)
 {
-    if (b.rim > 0 && is_point(a)) return ray_cylinder(a.core.at[0], way, b);
+    if (b.rim > 0 && is_point(a)) return ray_cylinder(a.core.at[0], delta, b);
     real apart = a.round + b.round;
-    real fine = 1e-12 * (vec3_length(way) + rounded_size(a) + rounded_size(b));
+    real fine = 1e-12 * (vec3_length(delta) + rounded_size(a) + rounded_size(b));
     swept_result s = { .status = SWEPT_NOT_FINITE };
     if (fine > 0)
-        s = swept_first_touch(a.core, way, b.core, apart, fine, scratch);
-    return met(&s, a, way, b);
+        s = swept_first_touch(a.core, delta, b.core, apart, fine, scratch);
+    return met(&s, a, delta, b);
 }
 
 cast_result cast_turning(rounded a, const swept_motion *m, rounded b,
                          vec3 *scratch)
 {
     const swept_motion stays = { .out = 0 };
-    real fine = 1e-6 * (vec3_length(m->way) + m->out + a.round);
+    real fine = 1e-6 * (vec3_length(m->delta) + m->out + a.round);
     swept_result s = swept_turning(a.core, m, b.core, &stays,
                                    a.round + b.round, fine, scratch);
-    return met(&s, a, m->way, b);
+    return met(&s, a, m->delta, b);
 }
 //<
 
 //> cast-plane
 //>   A plane needs no search: the lowest point of the body meets it first.
-cast_result cast_first_plane(rounded a, vec3 way, plane p)
+cast_result cast_first_plane(rounded a, vec3 delta, plane p)
 {
-    real lowest = HUGE_VAL, down = -vec3_dot(way, p.normal);
+    real lowest = HUGE_VAL, down = -vec3_dot(delta, p.normal);
     vec3 at = a.core.at[0];
     for (int k = 0; k < a.core.count; k++) {
         real height = vec3_dot(a.core.at[k], p.normal) - p.offset - a.round;
@@ -183,10 +183,10 @@ cast_result cast_first_plane(rounded a, vec3 way, plane p)
         at = a.core.at[k];
     }
     if (lowest <= 0)
-        return (cast_result){ true, 0, at, unit(vec3_scale(-1, way)) };
+        return (cast_result){ true, 0, at, unit(vec3_scale(-1, delta)) };
     if (!(lowest <= down)) return (cast_result){ .hits = false };
     real time = lowest / down;
-    vec3 there = vec3_add_scaled(at, time, way);
+    vec3 there = vec3_add_scaled(at, time, delta);
     return (cast_result){ true, time,
                           vec3_add_scaled(there, -a.round, p.normal),
                           p.normal };

@@ -45,7 +45,7 @@ typedef struct {
 // 1e-12 of the displacement and the sizes.  What overlaps at the start is met at 0, and
 // what is not finite meets nothing.  Only a point meets the round side of a cylinder;
 // all else meets its prism.  scratch: room for the points of both.
-cast_result cast_first(rounded a, vec3 way, rounded b, vec3 *scratch);
+cast_result cast_first(rounded a, vec3 delta, rounded b, vec3 *scratch);
 
 // The same for a body that moves and turns, to a millionth of the displacement and its
 // size.
@@ -53,7 +53,7 @@ cast_result cast_turning(rounded a, const swept_motion *m, rounded b,
                          vec3 *scratch);
 
 // The same for a body that moves straight, and the half-space behind a plane.
-cast_result cast_first_plane(rounded a, vec3 way, plane p);
+cast_result cast_first_plane(rounded a, vec3 delta, plane p);
 
 // The point of b nearest to x, if it is no further away than most (m); x itself
 // if it is inside.  fraction is the distance (m).

@@ -48,13 +48,13 @@ swept_status collide_swept(const collider *a, const swept_motion *of_a,
     hull x = query_hull(a), y = query_hull(b);
     bool turns = vec3_length_squared(of_a->turn) > 0
               || vec3_length_squared(of_b->turn) > 0;
-    vec3 way = vec3_sub(of_a->way, of_b->way);
+    vec3 delta = vec3_sub(of_a->delta, of_b->delta);
     // (A prism may miss what its cylinder touches.)
     apart += rim_sag(a->shape) + rim_sag(b->shape);
     real near = apart + query_round(a, b);
     swept_result s = turns
         ? swept_turning(x, of_a, y, of_b, near, fine, scratch)
-        : swept_first_touch(x, way, y, near, fine, scratch);
+        : swept_first_touch(x, delta, y, near, fine, scratch);
     if (s.status != SWEPT_TOUCHES) return s.status;
     swept_place(x, of_a, s.time, scratch);
     swept_place(y, of_b, s.time, scratch + a->shape->particles);

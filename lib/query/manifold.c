@@ -593,8 +593,8 @@ static int lies_in(const patch *p, int i, const patch *q, depths inside,
     if (outside || q->count > 2) return !outside;
     vec3 from = vec3_sub(p->corner[i], q->corner[0]);
     vec3 e = vec3_sub(q->corner[1], q->corner[0]);
-    real length = sqrt(dot2(e, e)), way = dot2(from, e);
-    return way >= -slack * length && way <= (length + slack) * length;
+    real length = sqrt(dot2(e, e)), along = dot2(from, e);
+    return along >= -slack * length && along <= (length + slack) * length;
 }
 //<
 

@@ -22,15 +22,15 @@ bool rim_towards(const shape *s, const vec3 *at, vec3 d, rim_core *r)
 {
     r->is_seen = r->is_flat = false;
     if (!(s->rim > 0)) return false;
-    vec3 way = vec3_sub(at[1], at[0]);
-    real length = vec3_length(way), along = vec3_dot(d, way) / length;
-    vec3 across = vec3_add_scaled(d, -along / length, way);
+    vec3 delta = vec3_sub(at[1], at[0]);
+    real length = vec3_length(delta), along = vec3_dot(d, delta) / length;
+    vec3 across = vec3_add_scaled(d, -along / length, delta);
     real c = vec3_length(across);
     if (!(c > LEAN_SINE)) return false;
     make_core(s, s->rim / c, r);
     for (int k = 0; k < 2; k++) {
         r->part[k] = k - s->rim * along / (c * length);
-        r->at[k] = vec3_add_scaled(at[0], r->part[k], way);
+        r->at[k] = vec3_add_scaled(at[0], r->part[k], delta);
     }
     r->is_flat = fabs(along) <= LEAN_SINE;
     return r->is_seen = true;

@@ -59,8 +59,8 @@ static void part_of_triangle(part *p, const corner *c, int i, int j, int k)
         else part_of_edge(p, c, j, k);
         return;
     }
-    real share = 1 / d;
-    s *= share, t *= share;
+    real fraction = 1 / d;
+    s *= fraction, t *= fraction;
     p->count = 3;
     p->of[0] = i, p->of[1] = j, p->of[2] = k;
     p->weight[0] = s, p->weight[1] = t, p->weight[2] = 1 - s - t;
@@ -102,10 +102,10 @@ static void part_of_tetrahedron(part *p, const corner *c, const int of[4])
     vec3 a = c[of[3]].at, e[3];
     for (int k = 0; k < 3; k++) e[k] = vec3_sub(c[of[k]].at, a);
     vec3 n = vec3_cross(e[1], e[2]);
-    real volume = vec3_dot(e[0], n), share = -1 / volume, w[4];
-    w[0] = share * vec3_dot(a, n);
-    w[1] = share * vec3_dot(a, vec3_cross(e[2], e[0]));
-    w[2] = share * vec3_dot(a, vec3_cross(e[0], e[1]));
+    real volume = vec3_dot(e[0], n), fraction = -1 / volume, w[4];
+    w[0] = fraction * vec3_dot(a, n);
+    w[1] = fraction * vec3_dot(a, vec3_cross(e[2], e[0]));
+    w[2] = fraction * vec3_dot(a, vec3_cross(e[0], e[1]));
     w[3] = 1 - w[0] - w[1] - w[2];
     if (nearest_face(p, c, of, w)) return;
     real least = real_min(real_min(w[0], w[1]), real_min(w[2], w[3]));

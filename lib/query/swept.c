@@ -8,10 +8,10 @@
 
 // Everything is seen from B's first point b0: near B all numbers are small
 // there, however far from the world's origin both are.  A's point i stands at
-//   (a_i - a_0) + ((a_0 - b_0) + time way).
+//   (a_i - a_0) + ((a_0 - b_0) + time delta).
 typedef struct {
     hull given;        // A as it was given
-    vec3 start, way;        // m, a_0 - b_0; what A goes
+    vec3 start, delta;        // m, a_0 - b_0; what A goes
     vec3 *a_at, *b_at;      // the scratch: A at some time, B
     hull a, b;         // the same, for gjk
     real near, aim;         // m: to come nearer than near is to touch; we aim
@@ -50,16 +50,16 @@ static real coordinates(vec3 v)
 // we to aim at touch itself, we might land behind a thin plate; so we aim at
 // half the tolerance, and that half is worth four such units.  0 if a number is
 // not finite.
-static int sweep_begin(sweep *s, hull a, vec3 way, hull b,
+static int sweep_begin(sweep *s, hull a, vec3 delta, hull b,
                        real apart, real tolerance, vec3 *scratch)
 {
     *s = (sweep){ .given = a, .a = a, .b = b };
     s->a.at = s->a_at = scratch;
     s->b.at = s->b_at = scratch + a.count;
     s->start = vec3_sub(a.at[0], b.at[0]);
-    s->way = way;
+    s->delta = delta;
     real size = copy_about_first(a, s->a_at) + copy_about_first(b, s->b_at);
-    real reach = coordinates(s->start) + coordinates(way) + size + apart;
+    real reach = coordinates(s->start) + coordinates(delta) + size + apart;
     real least = 8 * DBL_EPSILON * reach;
     if (!(tolerance >= least)) tolerance = least;
     s->near = apart + tolerance;
@@ -75,7 +75,7 @@ static void sweep_place(sweep *s, real time)
         return;
     }
     vec3 a0 = s->given.at[0];
-    vec3 at = vec3_add_scaled(s->start, time, s->way);
+    vec3 at = vec3_add_scaled(s->start, time, s->delta);
     for (int i = 0; i < s->given.count; i++)
         s->a_at[i] = vec3_add(vec3_sub(s->given.at[i], a0), at);
 }
@@ -102,8 +102,8 @@ static vec3 direction(vec3 a)
 static real sweep_closing(const sweep *s, vec3 n)
 {
     const swept_motion *a = s->of_a, *b = s->of_b;
-    if (!a) return -vec3_dot(s->way, n);
-    return vec3_dot(vec3_sub(b->way, a->way), n)
+    if (!a) return -vec3_dot(s->delta, n);
+    return vec3_dot(vec3_sub(b->delta, a->delta), n)
          + a->out * vec3_length(vec3_cross(n, a->turn))
          + b->out * vec3_length(vec3_cross(n, b->turn));
 }
@@ -117,10 +117,10 @@ static real sweep_closing(const sweep *s, vec3 n)
 //
 // All of A is beyond the plane at distance d from B along n:
 //   (x - y) . n >= d  for all x of A, y of B.
-// After a further share t of the way, x has become x + t way:
-//   (x + t way - y) . n >= d + t way . n,
-// which is more than aim as long as t < (d - aim) / -(way . n); and for ever if
-// way . n >= 0.  What turns comes nearer by no more than sweep_closing says.
+// After a further fraction t of the displacement, x has become x + t delta:
+//   (x + t delta - y) . n >= d + t delta . n,
+// which is more than aim as long as t < (d - aim) / -(delta . n); and for ever if
+// delta . n >= 0.  What turns comes nearer by no more than sweep_closing says.
 static int sweep_step(sweep *s, swept_result *r)
 {
     sweep_place(s, r->time);
@@ -151,13 +151,13 @@ static int sweep_step(sweep *s, swept_result *r)
 //<
 
 //> swept-first-touch
-swept_result swept_first_touch(hull a, vec3 way, hull b, real apart,
+swept_result swept_first_touch(hull a, vec3 delta, hull b, real apart,
                                real tolerance, vec3 *scratch)
 {
     assert(a.count >= 1 && b.count >= 1 && apart >= 0 && tolerance > 0);
     sweep s;
     swept_result r = { .status = SWEPT_NOT_FINITE };
-    if (!sweep_begin(&s, a, way, b, apart, tolerance, scratch)) return r;
+    if (!sweep_begin(&s, a, delta, b, apart, tolerance, scratch)) return r;
     while (r.iterations < SWEPT_CAP && sweep_step(&s, &r)) continue;
     if (r.status == SWEPT_PASSES) r.time = 1;
     r.on_a = vec3_add(r.on_a, b.at[0]);
@@ -176,7 +176,7 @@ void swept_place(hull h, const swept_motion *m, real t, vec3 *out)
 {
     enum { TERMS = 10 };        // good to 1e-9 at 3 rad
     vec3 turn = vec3_scale(t, m->turn);
-    vec3 center = vec3_add_scaled(m->center, t, m->way);
+    vec3 center = vec3_add_scaled(m->center, t, m->delta);
     real square = vec3_length_squared(turn), s = 1, c = 1;
     int halved = 0;
     for (; square > 9 && halved < 64; halved++) square /= 4;

@@ -42,13 +42,13 @@ typedef struct {
 //>   `apart`, and nothing is missed, though the answer comes a little early.
 enum { SWEPT_CAP = 64 };        // distances, at most
 
-// When does hull a, which moves straight by `way` (m) as seen from b, come as near as
+// When does hull a, which moves straight by `delta` (m) as seen from b, come as near as
 // `apart` (m, >= 0)?  The distance at the time of the answer is between apart and apart
 // + tolerance (m, > 0).  A tolerance below 8 units in the last place of the
 // displacement and the sizes is raised to that.  For bodies that turn, add the arc of
 // the outermost point to `apart`.
 // scratch: room for a.count + b.count points.
-swept_result swept_first_touch(hull a, vec3 way, hull b, real apart,
+swept_result swept_first_touch(hull a, vec3 delta, hull b, real apart,
                                real tolerance, vec3 *scratch);
 //<
 
@@ -59,7 +59,7 @@ swept_result swept_first_touch(hull a, vec3 way, hull b, real apart,
 // The motion of a hull in a frame: its centre moves straight, and it turns about it.
 typedef struct {
     vec3 center;        // m, at the start
-    vec3 way;           // m, displacement of the centre in the frame
+    vec3 delta;           // m, displacement of the centre in the frame
     vec3 turn;          // rad, in the frame, right-handed
     real out;           // m, distance of its furthest point from the centre
 } swept_motion;

@@ -28,9 +28,9 @@ motion motion_of(const particle *p, const rigid_frame *frame,
     vec3 sum = { 0, 0, 0 }, spin = { 0, 0, 0 };
     real mass = basis->inverse_mass > 0 ? 1 / (FOUR * basis->inverse_mass) : 0;
     for (int k = 0; k < FOUR; k++) {
-        vec3 way = vec3_sub(p[k].position, p[k].previous);
-        sum = vec3_add(sum, way);
-        spin = vec3_add(spin, vec3_cross(frame_arm(frame, k), way));
+        vec3 delta = vec3_sub(p[k].position, p[k].previous);
+        sum = vec3_add(sum, delta);
+        spin = vec3_add(spin, vec3_cross(frame_arm(frame, k), delta));
     }
     motion m = { { sum.x / (FOUR * h), sum.y / (FOUR * h),
                    sum.z / (FOUR * h) } };
@@ -335,9 +335,9 @@ void motion_write(particle *p, const rigid_frame *frame,
     vec3 turn = motion_rotation(basis, u);
     for (int k = 0; k < FOUR; k++) {
         vec3 arm = frame_arm(frame, k);
-        vec3 way = vec3_add(straight, vec3_cross(turn, arm));
+        vec3 delta = vec3_add(straight, vec3_cross(turn, arm));
         p[k].position = vec3_add(frame->center, arm);
-        p[k].previous = vec3_add_scaled(p[k].position, -h, way);
+        p[k].previous = vec3_add_scaled(p[k].position, -h, delta);
     }
 }
 //<

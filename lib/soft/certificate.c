@@ -382,9 +382,9 @@ static bool has_plane(const frame_search *l, const certified_set set[2])
         if (keep_plane(l, set, n, slack_of_plane(l, set, n, &least)))
             return true;
         vec3 back = vec3_sub(n, least);
-        real share = vec3_dot(n, back) / vec3_length_squared(back);
-        if (!(share > 0)) break;
-        n = vec3_add_scaled(n, -real_min(share, 1), back);
+        real fraction = vec3_dot(n, back) / vec3_length_squared(back);
+        if (!(fraction > 0)) break;
+        n = vec3_add_scaled(n, -real_min(fraction, 1), back);
     }
     if (set[0].count == 0 || set[1].count == 0) return false;
     n = nearest_difference(l, set, ENDS);
@@ -624,12 +624,12 @@ static real path_difference_beside(const vec3 *from, const vec3 *to, const body 
     real most = 0;
     for (int i = 0; i < n; i++) {
         int v = x->first + i;
-        real way = 0;
-        if ((i + 1) % columns > 0) way = path_difference(from, to, v, v + 1);
+        real delta = 0;
+        if ((i + 1) % columns > 0) delta = path_difference(from, to, v, v + 1);
         if (i + columns < n)
-            way = real_max(way, path_difference(from, to, v, v + columns));
-        beside[v] = way;
-        most = real_max(most, way);
+            delta = real_max(delta, path_difference(from, to, v, v + columns));
+        beside[v] = delta;
+        most = real_max(most, delta);
     }
     return most;
 }
@@ -657,8 +657,8 @@ static real largest_path_difference(const frame_search *l, cell_range r)
 {
     real most = 0;
     for (int j = r.top; j <= r.bottom; j++) {
-        const real *way = &l->c->beside[vertex_at(l, r.body, 0, j)];
-        for (int i = r.left; i <= r.right; i++) most = real_max(most, way[i]);
+        const real *delta = &l->c->beside[vertex_at(l, r.body, 0, j)];
+        for (int i = r.left; i <= r.right; i++) most = real_max(most, delta[i]);
     }
     return sqrt(most);
 }
@@ -835,12 +835,12 @@ static bool has_body_plane(const frame_search *l, const certified_set *s,
 {
     const certificate *c = l->c;
     vec3 at[ENDS * FACET];
-    vec3 way = vec3_sub(c->at[1][b->first], c->at[0][b->first]);
+    vec3 delta = vec3_sub(c->at[1][b->first], c->at[0][b->first]);
     for (int turns = 1; turns >= 0; turns--) {
         for (int k = 0; k < FACET; k++) {
             vec3 was = c->at[0][s->vertex[k]];
             at[k] = c->at[1][s->vertex[k]];
-            at[FACET + k] = turns ? carried_along(c, b, was) : vec3_add(was, way);
+            at[FACET + k] = turns ? carried_along(c, b, was) : vec3_add(was, delta);
         }
         if (obstacle_is_apart(&l->view->hull, at, ENDS * FACET, ahead))
             return true;
@@ -877,7 +877,7 @@ static void part_from_body(const frame_search *l, certified_set s, int b,
 }
 
 // So far from where it was, at most, the body has been in the way.
-static aabb way_of_body(const frame_search *l, int b)
+static aabb swept_by_body(const frame_search *l, int b)
 {
     const body *x = &l->f->body[b];
     const obstacle *solid = &l->view->hull;
@@ -892,14 +892,14 @@ static aabb way_of_body(const frame_search *l, int b)
     return aabb_wider(box, solid->round + 2 * far);
 }
 
-static void search_body(const frame_search *l, const aabb *way, cell_part p, int b,
+static void search_body(const frame_search *l, const aabb *swept, cell_part p, int b,
                         int *ahead)
 {
     cell_part half[2];
     const aabb *box = p.box >= 0 ? l->c->box[p.box].at : NULL;
     if (box) {
         aabb all = aabb_join(box[0], box[1]);
-        if (!aabbs_meet(&all, way)) return;
+        if (!aabbs_meet(&all, swept)) return;
     }
     if (cells_in(p.cells) == 1) {
         for (int k = 0; k < 2; k++)
@@ -907,10 +907,10 @@ static void search_body(const frame_search *l, const aabb *way, cell_part p, int
         return;
     }
     halve(p, half);
-    for (int k = 0; k < 2; k++) search_body(l, way, half[k], b, ahead);
+    for (int k = 0; k < 2; k++) search_body(l, swept, half[k], b, ahead);
 }
 
-static void search_links(const frame_search *l, const aabb *way, int a, int b,
+static void search_links(const frame_search *l, const aabb *swept, int a, int b,
                          int *ahead)
 {
     const body *x = &l->f->body[a];
@@ -920,7 +920,7 @@ static void search_links(const frame_search *l, const aabb *way, int a, int b,
         facet_corners(x, k, s.vertex);
         for (int i = 0; i < ENDS * FACET; i++)
             link = aabb_with(link, l->c->at[i / FACET][s.vertex[i % FACET]]);
-        if (aabbs_meet(&link, way)) part_from_body(l, s, b, ahead);
+        if (aabbs_meet(&link, swept)) part_from_body(l, s, b, ahead);
     }
 }
 
@@ -935,14 +935,14 @@ static void search_bodies(const frame_search *l)
         int b = l->near->candidate[k];
         if (body_is_soft(&f->body[b])) continue;
         rigid_view_update(l->view, f, b);
-        aabb way = way_of_body(l, b);
+        aabb swept = swept_by_body(l, b);
         for (int n = 0; n < f->softs; n++) {
             int a = f->soft[n], ahead = 0;
             if (!soft_moves(f, a) || !soft_meets(f, a, b)) continue;
             box_all(l);
             if (is_certified(f, a))
-                search_body(l, &way, whole_soft(l, a), b, &ahead);
-            else search_links(l, &way, a, b, &ahead);
+                search_body(l, &swept, whole_soft(l, a), b, &ahead);
+            else search_links(l, &swept, a, b, &ahead);
         }
     }
 }
@@ -1116,14 +1116,14 @@ static void move_as_one(const frame_search *l)
 {
     certificate *c = l->c;
     for (int v = 0; v < c->particles; v++) {
-        c->of[v].way = (vec3){ 0, 0, 0 };
+        c->of[v].delta = (vec3){ 0, 0, 0 };
         c->of[v].mass = 0;
     }
     for (int v = 0; v < c->particles; v++) {
         certified_vertex *p = &c->of[patch_of(c, v)];
         if (!p->is_whole) continue;
         real m = weight_of(l, v);
-        p->way = vec3_add_scaled(p->way, m, path_at(c, v));
+        p->delta = vec3_add_scaled(p->delta, m, path_at(c, v));
         p->mass += m;
     }
     for (int v = 0; v < c->particles; v++) {
@@ -1131,7 +1131,7 @@ static void move_as_one(const frame_search *l)
         if (!p->is_whole || is_fixed(l, v)) continue;
         c->at[1][v] = p->rides >= 0
             ? carried_along(c, &l->f->body[p->rides], c->at[0][v])
-            : vec3_add_scaled(c->at[0][v], 1 / p->mass, p->way);
+            : vec3_add_scaled(c->at[0][v], 1 / p->mass, p->delta);
     }
 }
 

@@ -917,10 +917,10 @@ static void hold_begin(const shape *s, line_scratch *scratch,
                        const line_hold *hold)
 {
     for (int i = 0; i < s->particles; i++) {
-        real *weight = &scratch->now.weight[i], share = hold_share(&hold[i]);
+        real *weight = &scratch->now.weight[i], fraction = hold_share(&hold[i]);
         if (hold[i].state < LINE_TOUCHES) continue;
-        real more = (share - GIVE_SHARE) * *weight;
-        *weight *= share;
+        real more = (fraction - GIVE_SHARE) * *weight;
+        *weight *= fraction;
         place_set(scratch->now, i, vec3_sub(place_get(scratch->now, i),
                                             taken_back(&hold[i])));
         if (!(more > 0)) continue;

@@ -94,9 +94,9 @@ static bool stands_over_edge(const obstacle *b, vec3 x, int k,
     real both = vec3_dot(p.normal, q.normal), sine2 = 1 - both * both;
     real of_p = up - both * beyond, of_q = beyond - both * up;
     if (!(sine2 > SHARP && of_p > 0 && of_q > 0)) return false;
-    vec3 way = vec3_add_scaled(vec3_scale(of_p / sine2, p.normal),
+    vec3 delta = vec3_add_scaled(vec3_scale(of_p / sine2, p.normal),
                                of_q / sine2, q.normal);
-    *out = (surface_point){ vec3_sub(x, way), vec3_unit(way) };
+    *out = (surface_point){ vec3_sub(x, delta), vec3_unit(delta) };
     return is_behind_faces(b, out->at);
 }
 //<

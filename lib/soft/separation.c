@@ -62,10 +62,10 @@ void particle_contact_brake(particle_contact c, particle *p, vec3 drawn, real mo
     slid = vec3_add(slid, drawn);
     slid = vec3_add_scaled(slid, -vec3_dot(slid, up), up);
     real far = vec3_length(slid), weight = a->inverse_mass + b->inverse_mass;
-    real share = real_min(most / far, 1) / weight;
-    if (!(far > 0) || !(most > 0) || !is_finite(far * share)) return;
-    a->position = vec3_add_scaled(a->position, -share * a->inverse_mass, slid);
-    b->position = vec3_add_scaled(b->position, share * b->inverse_mass, slid);
+    real fraction = real_min(most / far, 1) / weight;
+    if (!(far > 0) || !(most > 0) || !is_finite(far * fraction)) return;
+    a->position = vec3_add_scaled(a->position, -fraction * a->inverse_mass, slid);
+    b->position = vec3_add_scaled(b->position, fraction * b->inverse_mass, slid);
 }
 //<
 

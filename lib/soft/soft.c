@@ -38,8 +38,8 @@ static void fall_particles(const soft_frame *f, const body *b)
     int n = body_particles(b);
     real left = 1 / (1 + f->h * b->damping);
     for (int i = 0; i < n && b->damping > 0; i++) {
-        vec3 way = vec3_sub(p[i].position, p[i].previous);
-        p[i].previous = vec3_add_scaled(p[i].position, -left, way);
+        vec3 delta = vec3_sub(p[i].position, p[i].previous);
+        p[i].previous = vec3_add_scaled(p[i].position, -left, delta);
     }
     if (f->age == f->h) verlet_step(p, n, f->gravity, NULL, f->h);
     else verlet_step_changed(p, n, f->gravity, f->age, f->h);
@@ -401,9 +401,9 @@ static prediction predict_soft(const soft_frame *f, int b)
         real beside = vec3_length_squared(vec3_sub(move, mean));
         fastest = real_max(beside, fastest);
     }
-    prediction a = { .way = vec3_scale(ages, mean) };
+    prediction a = { .delta = vec3_scale(ages, mean) };
     a.turn = ages * sqrt(fastest) + vec3_length(f->gravity) * dt * dt / 2;
-    a.reach = vec3_length(a.way) + a.turn;
+    a.reach = vec3_length(a.delta) + a.turn;
     return a;
 }
 
@@ -512,19 +512,19 @@ static int substeps_for_weight(const soft_frame *f, int a)
 {
     const body *x = &f->body[a];
     const shape *s = x->shape;
-    real share = SAG;
+    real fraction = SAG;
     if (s->kind == SHAPE_ROPE)
-        share = real_min(SAG, taut_most(1 / lightest_of(s), 1) / x->mass);
+        fraction = real_min(SAG, taut_most(1 / lightest_of(s), 1) / x->mass);
     real g = vec3_length(f->gravity);
-    real need = f->frame * sqrt(g / (share * s->spacing));
+    real need = f->frame * sqrt(g / (fraction * s->spacing));
     return need < f->most_substeps ? (int)need : f->most_substeps;
 }
 
 // A part of a divided frame takes its share, rounded up.
 static int substeps_of_part(const soft_frame *f, int substeps)
 {
-    real share = f->frame / f->whole * substeps;
-    return (int)share + ((int)share < share);
+    real fraction = f->frame / f->whole * substeps;
+    return (int)fraction + ((int)fraction < fraction);
 }
 
 // Rope, and a sheet that pins may hold taut.

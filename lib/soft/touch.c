@@ -41,9 +41,9 @@ static touch_point touch_of(const soft_touch *x, const particle *p)
     touch_point t = { .normal = x->at.normal };
     t.arm = vec3_sub(x->at.at, vec3_add(f->now[x->b].frame.center, go));
     vec3 at = vec3_add(x->at.at, motion_at(basis, &since, t.arm));
-    vec3 way = vec3_scale(f->h, motion_at(basis, &f->velocity[x->b], t.arm));
+    vec3 delta = vec3_scale(f->h, motion_at(basis, &f->velocity[x->b], t.arm));
     t.overlap = x->apart - vec3_dot(vec3_sub(p->position, at), t.normal);
-    t.slide = vec3_sub(vec3_sub(p->position, p->previous), way);
+    t.slide = vec3_sub(vec3_sub(p->position, p->previous), delta);
     return t;
 }
 
@@ -182,10 +182,10 @@ static void distribute_push(const soft_touch *x, const particle *before,
     if (!(before->inverse_mass > 0)) return;
     for (int k = 0; k < x->corners; k++) {
         particle *p = &x->f->particle[x->corner[k]];
-        real share = x->weight[k] * inverse_of(x, x->corner[k])
+        real fraction = x->weight[k] * inverse_of(x, x->corner[k])
                    / before->inverse_mass;
-        p->position = vec3_add_scaled(p->position, share, now);
-        p->previous = vec3_add_scaled(p->previous, share, then);
+        p->position = vec3_add_scaled(p->position, fraction, now);
+        p->previous = vec3_add_scaled(p->previous, fraction, then);
     }
 }
 //<
@@ -234,9 +234,9 @@ static void distribute_to_all(const soft_touch *x, const particle *before,
 //>   What does not move needs no such care. The particle leaves it, and
 //>   remembers the normal, and how much of a move friction holds; the strands do
 //>   the rest (chapter 12).
-static vec3 along_side(vec3 way, vec3 normal)
+static vec3 along_side(vec3 delta, vec3 normal)
 {
-    return vec3_add_scaled(way, -vec3_dot(way, normal), normal);
+    return vec3_add_scaled(delta, -vec3_dot(delta, normal), normal);
 }
 
 // Coulomb: friction takes back how far the particle went, and how far the strands

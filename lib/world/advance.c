@@ -76,10 +76,10 @@ void advance_begin(world *w)
 //>   What is displaced gets a frame for it when it leaves its margin.
 static bool is_within(const solver_body *now, const motion *d, real margin)
 {
-    vec3 way = motion_straight(d);
+    vec3 delta = motion_straight(d);
     vec3 turn = motion_rotation(&now->basis, d);
     real far = margin * now->radius;
-    return vec3_length_squared(way) <= far * far
+    return vec3_length_squared(delta) <= far * far
         && vec3_length_squared(turn) <= margin * margin;
 }
 

@@ -39,12 +39,12 @@ static prediction predict(const world *w, int b, real dt)
         motion more = world_load(w, b, dt);
         beside += dt * motion_fastest(&now->basis, &more, now->radius);
     }
-    prediction p = { .seconds = dt, .way = vec3_scale(dt, straight),
+    prediction p = { .seconds = dt, .delta = vec3_scale(dt, straight),
                      .spin = vec3_scale(dt, spin) };
     p.angle = vec3_length(p.spin);
     p.arc = arc_of(w, b, p.spin, p.angle);
     p.turn = p.arc + beside;
-    p.reach = vec3_length(p.way) + p.turn;
+    p.reach = vec3_length(p.delta) + p.turn;
     return p;
 }
 //<
@@ -153,7 +153,7 @@ static bool strays(const world *w, int b, real left)
     if (b < 0 || !t->moves[b]) return false;
     const prediction *p = &t->ahead[b];
     vec3 now = vec3_scale(left, motion_straight(&t->velocity[b]));
-    vec3 was = vec3_scale(left / p->seconds, p->way);
+    vec3 was = vec3_scale(left / p->seconds, p->delta);
     return vec3_distance(now, was) > p->turn - p->arc;
 }
 

@@ -51,10 +51,10 @@ static void add_soft_motion(island *of, const world *w, const body *x)
     of->energy += soft_energy(x, w->pool.at);
     for (int i = x->first; i < x->first + body_particles(x); i++) {
         const particle *p = &w->pool.at[i];
-        vec3 way = vec3_sub(p->position, p->previous);
-        real square = vec3_length_squared(way) / (w->age * w->age);
+        vec3 delta = vec3_sub(p->position, p->previous);
+        real square = vec3_length_squared(delta) / (w->age * w->age);
         add_motion(of, square / (2 * p->inverse_mass),
-                   vec3_scale(1 / w->age, way), p->inverse_mass);
+                   vec3_scale(1 / w->age, delta), p->inverse_mass);
     }
 }
 
@@ -141,10 +141,10 @@ static void slow_down(world *w, int b, const island *i)
         mean = (vec3){ 0, 0, 0 };
         common = 0;
     }
-    real share = sqrt((i->most - common) / (i->energy - common));
+    real fraction = sqrt((i->most - common) / (i->energy - common));
     real *u = w->rigid.velocity[b].of;
     real with[MOTIONS] = { mean.x, mean.y, mean.z };
-    for (int k = 0; k < MOTIONS; k++) u[k] = with[k] + share * (u[k] - with[k]);
+    for (int k = 0; k < MOTIONS; k++) u[k] = with[k] + fraction * (u[k] - with[k]);
 }
 
 // With more than so many times the energy that is right, no body of an island
@@ -208,8 +208,8 @@ static bool is_strand_lost(const body *x, const particle *p)
 {
     real spacing = x->shape->spacing;
     for (int i = 0; i < body_particles(x); i++) {
-        vec3 way = vec3_sub(p[i].position, p[i].previous);
-        real digit = DBL_EPSILON * vec3_length(way);
+        vec3 delta = vec3_sub(p[i].position, p[i].previous);
+        real digit = DBL_EPSILON * vec3_length(delta);
         if (!(digit < spacing)) return true;
     }
     return false;
@@ -331,12 +331,12 @@ static line_passage find_passage(const body *b, vec3 from, vec3 to)
         vec3 n = out_of_face(local, v);
         real start = vec3_dot(n, vec3_sub(from, local[v[0]]));
         real end = vec3_dot(n, vec3_sub(to, local[v[0]]));
-        real share = start / (start - end);
+        real fraction = start / (start - end);
         if (start > 0 && !(end < 0)) return (line_passage){ .face = -1 };
-        if (start > 0 && share >= x.in) { x.face = f; x.in = share; }
-        if (!(start > 0) && end > 0 && share < x.out) {
+        if (start > 0 && fraction >= x.in) { x.face = f; x.in = fraction; }
+        if (!(start > 0) && end > 0 && fraction < x.out) {
             x.exit = f;
-            x.out = share;
+            x.out = fraction;
         }
     }
     if (!(x.in < x.out)) x.face = -1;
@@ -390,9 +390,9 @@ static vec3 spin_together(const motion_basis *a, const motion_basis *b, vec3 r,
     const motion has = { { 0, 0, 0, angular.x, angular.y, angular.z } };
     for (int k = 0; k < 3; k++) {
         motion u = motion_make(a, none, axis[k]), v = motion_make(b, none, axis[k]);
-        vec3 way = vec3_cross(r, vec3_cross(axis[k], r));
+        vec3 delta = vec3_cross(r, vec3_cross(axis[k], r));
         vec3 own = vec3_add(motion_angular(a, &u), motion_angular(b, &v));
-        both.turn[k] = vec3_add_scaled(own, mass, way);
+        both.turn[k] = vec3_add_scaled(own, mass, delta);
     }
     return motion_angular(&both, &has);
 }
@@ -405,13 +405,13 @@ static real slowed_to(real most, real part)
 
 // A body keeps a share of its own motion, and gets that of one that goes with `mean`
 // and turns with `spin`, in which it is `out` times r away from the centre.
-static void give_together(const motion_basis *of, motion *u, real out, real share,
+static void give_together(const motion_basis *of, motion *u, real out, real fraction,
                           vec3 mean, vec3 spin, vec3 r)
 {
-    vec3 way = vec3_scale(1 - share, mean);
-    motion more = motion_make(of, vec3_add_scaled(way, out, vec3_cross(spin, r)),
+    vec3 delta = vec3_scale(1 - fraction, mean);
+    motion more = motion_make(of, vec3_add_scaled(delta, out, vec3_cross(spin, r)),
                               spin);
-    for (int i = 0; i < MOTIONS; i++) u->of[i] = share * u->of[i] + more.of[i];
+    for (int i = 0; i < MOTIONS; i++) u->of[i] = fraction * u->of[i] + more.of[i];
 }
 
 // Two bodies that have been put elsewhere get back the angular momentum (N m s)
@@ -440,10 +440,10 @@ static void turn_together(rigid_tables *t, int small, int large, vec3 moment)
     real energy = motion_energy(a, u) + motion_energy(b, v) - drift;
     real turning = vec3_dot(spin_after, after) / 2;
     real rest = energy - vec3_dot(spin_before, before) / 2;
-    real share = slowed_to(energy, turning);
+    real fraction = slowed_to(energy, turning);
     real beside = slowed_to(energy - turning, rest);
 
-    vec3 spin = vec3_add_scaled(vec3_scale(share, spin_after), -beside, spin_before);
+    vec3 spin = vec3_add_scaled(vec3_scale(fraction, spin_after), -beside, spin_before);
     give_together(a, u, a->inverse_mass / sum, beside, mean, spin, r);
     give_together(b, v, -b->inverse_mass / sum, beside, mean, spin, r);
 }

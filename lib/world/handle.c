@@ -72,9 +72,9 @@ placement world_where(const world *w, int b)
     placement at = placement_at(vec3_make(0, 0, 0));
     for (int i = x->first; i < x->first + n; i++) {
         const particle *p = &w->pool.at[i];
-        vec3 way = vec3_sub(p->position, p->previous);
+        vec3 delta = vec3_sub(p->position, p->previous);
         at.position = vec3_add_scaled(at.position, 1.0 / n, p->position);
-        at.velocity = vec3_add_scaled(at.velocity, 1 / (n * w->age), way);
+        at.velocity = vec3_add_scaled(at.velocity, 1 / (n * w->age), delta);
     }
     at.is_static = body_is_static(x);
     if (body_moves(w, b)) at.velocity = vec3_add(at.velocity, since_then(w, b));

@@ -14,8 +14,8 @@ static vec3 heard_at(const world *w, const contact *c)
     for (int k = 0; k < c->count; k++) {
         contact_arms arm = contact_arms_of(c, k, &now[c->a].frame,
                                            c->b < 0 ? NULL : &now[c->b].frame);
-        real share = load > 0 ? c->impulse[k] / load : even;
-        sum = vec3_add_scaled(sum, share, arm.a);
+        real fraction = load > 0 ? c->impulse[k] / load : even;
+        sum = vec3_add_scaled(sum, fraction, arm.a);
     }
     return vec3_add(now[c->a].frame.center, sum);
 }

@@ -228,13 +228,13 @@ real world_joint_speed(const world *w, int number)
     const joint *j = joint_at(w, number);
     if (!joint_is_free(j)) return 0;
     rigid_frame a = frame_now(w, j->a), b = frame_now(w, j->b);
-    vec3 on_a, on_b, spin_a, spin_b, way = joint_direction(j, &a, &b);
+    vec3 on_a, on_b, spin_a, spin_b, delta = joint_direction(j, &a, &b);
     joint_points(j, &a, &b, &on_a, &on_b);
     if (j->kind == JOINT_SLIDER) on_a = on_b;
     vec3 u = velocity_at(w, j->a, on_a, &spin_a);
     vec3 v = velocity_at(w, j->b, on_b, &spin_b);
-    if (j->kind == JOINT_HINGE) return vec3_dot(way, vec3_sub(spin_b, spin_a));
-    return vec3_dot(way, vec3_sub(v, u));
+    if (j->kind == JOINT_HINGE) return vec3_dot(delta, vec3_sub(spin_b, spin_a));
+    return vec3_dot(delta, vec3_sub(v, u));
 }
 
 real world_joint_drive(const world *w, int number)

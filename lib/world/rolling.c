@@ -51,9 +51,9 @@ static real taken_by(const world *w)
 static bool gains_speed(const world *w, const contact *c)
 {
     const rigid_tables *t = &w->rigid;
-    vec3 was = t->ahead[c->a].way, now = motion_straight(&t->velocity[c->a]);
+    vec3 was = t->ahead[c->a].delta, now = motion_straight(&t->velocity[c->a]);
     if (c->b >= 0) {
-        was = vec3_sub(was, t->ahead[c->b].way);
+        was = vec3_sub(was, t->ahead[c->b].delta);
         now = vec3_sub(now, motion_straight(&t->velocity[c->b]));
     }
     return speed_across(now, c->normal)

@@ -119,13 +119,13 @@ static void find_grounds(world *w)
 static vec3 relative_path(const world *w, int b, int on)
 {
     const rigid_tables *t = &w->rigid;
-    vec3 way = t->ahead[b].way;
-    if (on < 0) return way;
+    vec3 delta = t->ahead[b].delta;
+    if (on < 0) return delta;
     vec3 arm = vec3_sub(t->now[b].frame.center, t->now[on].frame.center);
     vec3 spin = motion_rotation(&t->now[on].basis, &t->velocity[on]);
-    vec3 there = vec3_add_scaled(t->ahead[on].way, w->frame,
+    vec3 there = vec3_add_scaled(t->ahead[on].delta, w->frame,
                                  vec3_cross(spin, arm));
-    return vec3_sub(way, there);
+    return vec3_sub(delta, there);
 }
 //<
 
@@ -139,17 +139,17 @@ static bool is_calm(const world *w, int b, int on)
 {
     const rigid_tables *t = &w->rigid;
     real since = w->frame * rigid_since(w, b);
-    vec3 way = vec3_add_scaled(relative_path(w, b, on), since, body_gravity(w, b));
+    vec3 delta = vec3_add_scaled(relative_path(w, b, on), since, body_gravity(w, b));
     real far = t->now[b].radius / SIXTEENTH;
-    return vec3_length_squared(way) <= far * far;
+    return vec3_length_squared(delta) <= far * far;
 }
 
 // By its inner radius in a whole frame.
 static bool is_fast(const world *w, int b, int on)
 {
     const rigid_tables *t = &w->rigid;
-    real way = vec3_length(relative_path(w, b, on)) * w->options.dt / w->frame;
-    return t->moves[b] && way > t->body[b].inner;
+    real delta = vec3_length(relative_path(w, b, on)) * w->options.dt / w->frame;
+    return t->moves[b] && delta > t->body[b].inner;
 }
 
 static void judge_island(const world *w, island *i, int b, int on)

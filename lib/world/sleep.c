@@ -90,7 +90,7 @@ void sleep_begin(sleep_state *s)
 //> sleep-limits
 // What is still, for one body.
 typedef struct {
-    real way;       // m, in a window
+    real delta;       // m, in a window
     real speed;     // m/s, now
     real noise;     // m, by which a window may be longer than the one before
     int  frames;    // half a window
@@ -127,8 +127,8 @@ static sleep_limits limits_of(const sleep_rule *rule, real radius)
     sleep_limits l = { .frames = int_max((int)frames, 1) };
     real window = 2 * l.frames * rule->dt;
     if (rule->lasts > window) speed *= window / rule->lasts;
-    l.way = real_max(speed * window, MOTIONLESS * radius);
-    l.speed = JITTER * l.way / window;
+    l.delta = real_max(speed * window, MOTIONLESS * radius);
+    l.speed = JITTER * l.delta / window;
     l.noise = NOISE * radius;
     return l;
 }
@@ -163,7 +163,7 @@ static bool are_slow(const particle *p, int n, real far)
 static void judge_watch(sleep_watch *watch, int k, const sleep_limits *l)
 {
     const sleep_window *w = &watch->window[k];
-    bool is_still = watch->stood[k] || w->way <= w->before + l->noise;
+    bool is_still = watch->stood[k] || w->delta <= w->before + l->noise;
     if (!is_still)              watch->still = 0;
     else if (watch->still == 0) watch->still = 2;
     else                        watch->still++;
@@ -177,8 +177,8 @@ static void next_half(sleep_state *s, int b, const particle *pool, int first,
     int k = watch->halves % WINDOWS;
     sleep_window *w = &watch->window[k];
     if (watch->halves >= WINDOWS) judge_watch(watch, k, l);
-    w->before = watch->halves >= WINDOWS ? w->way : -HUGE_VAL;
-    w->way = 0;
+    w->before = watch->halves >= WINDOWS ? w->delta : -HUGE_VAL;
+    w->delta = 0;
     watch->stood[k] = true;
     for (int i = first; i < first + n; i++) s->start[k][i] = pool[i].position;
     watch->halves++;
@@ -197,11 +197,11 @@ static void update_windows_of(sleep_state *s, int b, const particle *pool,
     for (int k = 0; k < int_min(watch->halves, WINDOWS); k++) {
         sleep_window *w = &watch->window[k];
         watch->stood[k] &= watch->stands;
-        real most = watch->stood[k] ? JITTER * l->way : l->way;
-        if (w->way <= most)
-            w->way = real_max(furthest_moved(pool + first, s->start[k] + first, n),
-                              w->way);
-        if (w->way > most) watch->is_moving = true;
+        real most = watch->stood[k] ? JITTER * l->delta : l->delta;
+        if (w->delta <= most)
+            w->delta = real_max(furthest_moved(pool + first, s->start[k] + first, n),
+                              w->delta);
+        if (w->delta > most) watch->is_moving = true;
     }
 }
 

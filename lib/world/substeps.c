@@ -115,7 +115,7 @@ static int hold(const world_options *o, substep_choice *c, const island *i,
 // A part of a divided frame takes its share of the substeps.
 int substeps_choose(world *w, const island *i, substep_choice *c)
 {
-    real share = w->frame / w->options.dt;
+    real fraction = w->frame / w->options.dt;
     int usual = takes_all(i) ? world_usual(w, false) : w->options.substeps;
     int fewest = usual;
     int most = int_max(w->options.most_substeps, usual);
@@ -123,11 +123,11 @@ int substeps_choose(world *w, const island *i, substep_choice *c)
     real swing = real_min(w->options.dt * i->pace / FOLLOWED, most);
     int need = int_max(usual, (int)real_max(stiff, swing) + 1);
     int n = hold(&w->options, c, i, need);
-    if (!takes_all(i)) fewest = (int)(share * (usual - 1)) + 1;
-    if (share < 1) n = int_max(fewest, (int)(share * (n - 1)) + 1);
+    if (!takes_all(i)) fewest = (int)(fraction * (usual - 1)) + 1;
+    if (fraction < 1) n = int_max(fewest, (int)(fraction * (n - 1)) + 1);
     n = int_max(n, substeps_for_turns(i, most));
     if (i->is_soft) n = int_max(n, soft_need(w));
-    return int_min(n, int_max((int)(share * most), fewest));
+    return int_min(n, int_max((int)(fraction * most), fewest));
 }
 
 //<

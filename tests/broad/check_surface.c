@@ -64,7 +64,7 @@ static bool has_corner(int k, const surface_query *q)
     surface_prism(&s, k, at);
     for (int t = 0; t <= 50; t++)
         for (int i = 0; i < PRISM_CORNERS; i++) {
-            vec3 x = vec3_add_scaled(at[i], -t / 50.0, q->way);
+            vec3 x = vec3_add_scaled(at[i], -t / 50.0, q->delta);
             vec3 a = vec3_sub(x, q->thing.low), b = vec3_sub(q->thing.high, x);
             if (a.x >= 0 && a.y >= 0 && a.z >= 0 && b.x >= 0 && b.y >= 0
                 && b.z >= 0) return true;
@@ -84,8 +84,8 @@ START_TEST(no_triangle_in_the_way_is_left_out)
         surface_query q = { .thing = { vec3_sub(x, vec3_make(size, size, size)),
                                        vec3_add(x, vec3_make(size, size, size)) },
                             .most = 1, .meets = note, .context = &l };
-        if (k % 3) q.way = vec3_make(random_real(&r), 0, random_real(&r));
-        if (k % 3 == 2) q.way.y = random_real(&r);
+        if (k % 3) q.delta = vec3_make(random_real(&r), 0, random_real(&r));
+        if (k % 3 == 2) q.delta.y = random_real(&r);
         surface_visit(&s, &q);
         for (int t = 0; t < triangles; t++)
             ck_assert(l.is_met[t] || !has_corner(t, &q));

@@ -342,7 +342,7 @@ START_TEST(bullet_touches_as_it_will_first)
         int slab = add(SLAB, vec3_make(0, 0, 0), 0);
         moves[at_small ? small : slab] = 0;
         int fast = at_small ? slab : small;
-        ahead[fast].way = vec3_make(0, at_small ? 5 : -5, 0);
+        ahead[fast].delta = vec3_make(0, at_small ? 5 : -5, 0);
         ahead[fast].turn = 0.01;
         ahead[fast].reach = 5.01;
         list_pair(small, slab);
@@ -368,7 +368,7 @@ START_TEST(bullet_that_passes_by_touches_nothing)
     int b = add(BALL, vec3_make(2.6, 2, 0), 0);
     int slab = add(SLAB, vec3_make(0, 0, 0), 0);
     moves[slab] = 0;
-    ahead[b] = (prediction){ .way = { 0, -5, 0 }, .turn = 0.01, .reach = 5.01 };
+    ahead[b] = (prediction){ .delta = { 0, -5, 0 }, .turn = 0.01, .reach = 5.01 };
     list_pair(b, slab);
     begin();
     for (int f = 0; f < 2; f++) {
@@ -390,7 +390,7 @@ START_TEST(bullet_that_is_through_comes_back_within_its_frame)
     int ball = add(BALL, vec3_make(0.2, 2, 0.1), 0);
     int slab = add(SLAB, vec3_make(0, 0, 0), 0);
     moves[slab] = 0;
-    ahead[ball] = (prediction){ .way = { 0, -5, 0 }, .turn = 0.01,
+    ahead[ball] = (prediction){ .delta = { 0, -5, 0 }, .turn = 0.01,
                                 .reach = 5.01 };
     list_pair(ball, slab);
     begin();

@@ -183,7 +183,7 @@ START_TEST(tile_that_is_not_reached_is_not_met)
     ck_assert_int_eq(c->count, 0);
     ck_assert(pair[1].count == 0 && !pair[1].is_active);
     // But if it goes so far, it is, where it will be.
-    ahead[A].way = vec3_make(0.3, 0, 0);
+    ahead[A].delta = vec3_make(0.3, 0, 0);
     ahead[A].reach = 0.32;
     cache.pairs.count = 1;
     c = found_ahead(next);
@@ -232,7 +232,7 @@ START_TEST(hidden_side_hides_nothing)
     found_below(one);
     found_ahead(next);
     contact *c = found_ahead(last);
-    ahead[A].way = vec3_make(2, 0, 0);
+    ahead[A].delta = vec3_make(2, 0, 0);
     ahead[A].reach = 2.02;
     mend();
     near_vec3(c->normal, UP, ROUNDING);
@@ -268,7 +268,7 @@ START_TEST(piece_that_moves_away_hides_nothing)
         moves[one] = 1;
         now[one].is_driven = true;
         if (k == 1) ahead[one].angle = 0.1;
-        else        ahead[one].way = vec3_make(0, 0, 0.1);
+        else        ahead[one].delta = vec3_make(0, 0, 0.1);
         if (k == 2) of[one].family = of[next].family = 7;
         found_below(one);
         contact *c = found_ahead(next);
@@ -395,7 +395,7 @@ END_TEST
 // Rejects: a contact with the piece that is left next, with its load.
 START_TEST(floor_is_met_in_the_piece_that_is_left_last)
 {
-    ahead[A].way = vec3_make(0.1, 0, 0);
+    ahead[A].delta = vec3_make(0.1, 0, 0);
     lay_two(7, 7, 0);
     mend();
     ck_assert(entry[0].contact.count == 0 && pair[0].is_merged);

@@ -389,7 +389,7 @@ static swept_status sweep(collider a, collider b, vec3 way, real apart,
                           manifold *m)
 {
     static vec3 room[ROOM];
-    const swept_motion goes = { .way = way }, stays = { .out = 0 };
+    const swept_motion goes = { .delta = way }, stays = { .out = 0 };
     return collide_swept(&a, &goes, &b, &stays, apart, room, m);
 }
 

@@ -807,7 +807,7 @@ START_TEST(hull_turns_about_its_centre_as_a_sine_says)
     const vec3 at[2] = { { 6, 5, 7 }, { 5, 5, 7 } };
     vec3 out[2];
     for (real by = -3; by < 3.1; by += .5) {
-        swept_motion m = { .center = { 5, 5, 5 }, .way = { 8, 0, 0 },
+        swept_motion m = { .center = { 5, 5, 5 }, .delta = { 8, 0, 0 },
                            .turn = { 0, 0, by } };
         swept_place((hull){ at, 2 }, &m, .5, out);
         near(out[0].x, 9 + cos(by / 2), 1e-9, "along x");
@@ -836,7 +836,7 @@ START_TEST(nobody_who_turns_has_touched_before)
         swept_motion m[2];
         for (int k = 0; k < 2; k++) {
             m[k] = (swept_motion){ .center = vec3_make(1.5 * k, 0, 0), .out = 0,
-                                   .way = vec3_make(1 - 2 * k, 0, 0),
+                                   .delta = vec3_make(1 - 2 * k, 0, 0),
                                    .turn = random_vec3(&seed, 1.5) };
             for (int i = 0; i < 3; i++) {
                 vec3 r = random_vec3(&seed, .7);

@@ -252,7 +252,7 @@ END_TEST
 START_TEST(swept_ball_touches_when_the_radii_say)
 {
     vec3 from = { -2, .1, 0 }, to = ZERO, scratch[2];
-    const swept_motion goes = { .way = { 4, 0, 0 } }, stays = { .out = 0 };
+    const swept_motion goes = { .delta = { 4, 0, 0 } }, stays = { .out = 0 };
     collider a = { &ball, &from, false }, b = { &ball, &to, false };
     manifold m;
     ck_assert_int_eq(collide_swept(&a, &goes, &b, &stays, 0, scratch, &m),

@@ -17,7 +17,8 @@ static void overlap(real low, real high, real delta, real *begin, real *end)
         if (low > 0 || high < 0) *end = -HUGE_VAL;
         return;
     }
-    real first = (delta > 0 ? low : high) / delta, last = (delta > 0 ? high : low) / delta;
+    real first = (delta > 0 ? low : high) / delta;
+    real last = (delta > 0 ? high : low) / delta;
     *begin = real_max(*begin, first);
     *end = real_min(*end, last);
 }

@@ -26,10 +26,10 @@ typedef struct {
     line_hold *hold;    // [particles] the immovable thing that each touches
     bend_row *bends;    // [rows] of the longest strand
     int  bodies, particles, rows;       // for so many there is room
-    real pressed;       // 1/s, substeps that layers asked for in this frame,
-    real pace;          // 1/s, and that they get
-    int  frames;        // for so many they have asked for fewer
-    bool is_backward;   // points at rigid bodies come last to first
+    real pressed;       // 1/s, the substeps that layers asked for in this frame,
+    real pace;          // 1/s, and those that they get
+    int  frames;        // for so many frames they have asked for fewer
+    bool is_backward;   // points at rigid bodies are solved last to first
 
     int  touching;      // parted in the last substep
     long tested;        // sticks looked at

@@ -448,12 +448,18 @@ static void turn_together(rigid_tables *t, int small, int large, vec3 moment)
     give_together(b, v, -b->inverse_mass / sum, beside, mean, spin, r);
 }
 
-// Both make way, by their masses.  A shift across the way that they go changes
-// their angular momentum.
-static void move_both(rigid_tables *t, int small, int large, const lost_side *s)
+// Both make way, by their masses; but a joint would be torn by that, so beside a body
+// that is joined only the other one does, if it is not.  A shift across the way that
+// they go changes their angular momentum.
+static void move_both(world *w, int small, int large, const lost_side *s)
 {
+    rigid_tables *t = &w->rigid;
     solver_body *a = &t->now[small], *b = &t->now[large];
-    real x = a->basis.inverse_mass, y = b->basis.inverse_mass;
+    bool holds_a = linkage_has(&w->joints, small);
+    bool holds_b = linkage_has(&w->joints, large);
+    real x = holds_a && !holds_b ? 0 : a->basis.inverse_mass;
+    real y = holds_b && !holds_a ? 0 : b->basis.inverse_mass;
+    if (!(x + y > 0)) return;
     a->frame.center = vec3_add_scaled(a->frame.center, s->need * x / (x + y),
                                       s->normal);
     b->frame.center = vec3_add_scaled(b->frame.center, -s->need * y / (x + y),
@@ -481,8 +487,9 @@ static void stop_closing(rigid_tables *t, int small, int large,
 }
 
 // Was one of them stopped?
-static bool stop_passing(rigid_tables *t, int small, int large)
+static bool stop_passing(world *w, int small, int large)
 {
+    rigid_tables *t = &w->rigid;
     const rigid_frame *end = &t->now[large].frame;
     const rigid_frame *began = &t->began[large];
     vec3 to = t->now[small].frame.center;
@@ -493,7 +500,7 @@ static bool stop_passing(rigid_tables *t, int small, int large)
     if (x.face < 0 || cuts_corner(&t->body[large], &x)) return false;
     lost_side s = side_of(t, large, x.face, end, from, to,
                           t->body[small].inner);
-    move_both(t, small, large, &s);
+    move_both(w, small, large, &s);
     stop_closing(t, small, large, &s);
     return true;
 }
@@ -512,7 +519,7 @@ static bool may_pass(world *w, int a, int b, int small)
 // contacts, those that it chose.
 static bool stop_all(world *w)
 {
-    rigid_tables *t = &w->rigid;
+    const rigid_tables *t = &w->rigid;
     bool some = false, chooses = w->options.host.meets;
     for (int k = 0; k < t->cache.pairs.count; k++) {
         const cache_pair *p = &t->cache.pairs.pair[k];
@@ -520,7 +527,7 @@ static bool stop_all(world *w)
         if (b < 0 || (chooses && !(p->is_active && p->count > 0))) continue;
         bool is_a = t->now[a].radius < t->now[b].radius;
         int small = is_a ? a : b, large = is_a ? b : a;
-        some |= may_pass(w, a, b, small) && stop_passing(t, small, large);
+        some |= may_pass(w, a, b, small) && stop_passing(w, small, large);
     }
     return some;
 }

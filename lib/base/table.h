@@ -19,6 +19,22 @@ static inline int table_room(int need, int room)
     return need > 2 * room ? need : 2 * room;
 }
 
+// Gives the array whose address is in *array (`array` is the address of a
+// pointer to its elements) room for `room` elements of so many bytes.  The
+// first `kept` stay, the others are zero.  False, changing nothing, if memory is
+// refused.
+static inline bool table_grow(void *array, int kept, int room, size_t size)
+{
+    size_t old = (size_t)kept * size, bytes = (size_t)room * size;
+    void *was, *more;
+    memcpy(&was, array, sizeof was);
+    more = realloc(was, bytes > 0 ? bytes : 1);
+    if (!more) return false;
+    memset((char *)more + old, 0, bytes - old);
+    memcpy(array, &more, sizeof more);
+    return true;
+}
+
 // Memory that begins with a cache line, where the system has a call for that
 // whose memory may be freed as any other; Windows has none.  Only speed depends
 // on it: no type of tumble needs more than the 16 bytes of malloc.
@@ -34,11 +50,9 @@ static inline void *table_lines(size_t bytes)
 #endif
 }
 
-// Gives the array whose address is in *array (`array` is the address of a
-// pointer to its elements) room for `room` elements of so many bytes, from the
-// beginning of a cache line on.  The first `kept` stay, the others are zero.
-// False, changing nothing, if memory is refused.
-static inline bool table_grow(void *array, int kept, int room, size_t size)
+// The same, in memory that begins with a cache line.
+static inline bool table_grow_aligned(void *array, int kept, int room,
+                                      size_t size)
 {
     size_t old = (size_t)kept * size, bytes = (size_t)room * size;
     void *was, *more = table_lines(bytes);
@@ -69,11 +83,15 @@ static inline bool table_add(void *array, int count, int *room, size_t size)
 static inline bool table_renew(void *array, int *room, int need, size_t size)
 {
     enum { MOST = 1 << 28 };
+    void *was, *more;
     if (need <= *room) return true;
     if (need > MOST) return false;
-    int more = need + need / 8 + 4;
-    if (!table_grow(array, 0, more, size)) return false;
-    *room = more;
+    more = calloc((size_t)need + (size_t)need / 8 + 4, size);
+    if (!more) return false;
+    memcpy(&was, array, sizeof was);
+    memcpy(array, &more, sizeof more);
+    free(was);
+    *room = need + need / 8 + 4;
     return true;
 }
 #define TABLE_RENEW(array, room, need) \
@@ -83,4 +101,7 @@ static inline bool table_renew(void *array, int *room, int need, size_t size)
 // of them found no memory.
 #define TABLE_GROW(ok, array, kept, room) \
     ((ok) = (ok) && table_grow(&(array), (kept), (room), sizeof *(array)))
+#define TABLE_GROW_ALIGNED(ok, array, kept, room)               \
+    ((ok) = (ok) && table_grow_aligned(&(array), (kept), (room), \
+                                       sizeof *(array)))
 //<

@@ -30,7 +30,7 @@ extern const motion_basis MOTION_IMMOVABLE;
 // A velocity (m/s and kg^(1/2) m/s), or a displacement (m and kg^(1/2) m).
 // Its address is a multiple of 16 bytes, which real4_gather2 needs and malloc gives.
 // It is as large as a cache line, so in a table that begins with a line, as those of
-// table_grow do, no motion lies on two lines.
+// table_grow_aligned do, no motion lies on two lines.
 enum { MOTION_TURN = 3, MOTIONS = 6, MOTION_LINE = 8 };
 
 typedef struct {

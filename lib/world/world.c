@@ -422,8 +422,8 @@ static bool grow_motions(rigid_tables *t, int motions)
 {
     bool ok = true;
     if (motions <= t->motions) return true;
-    TABLE_GROW(ok, t->velocity, t->motions, motions);
-    TABLE_GROW(ok, t->moved, t->motions, motions);
+    TABLE_GROW_ALIGNED(ok, t->velocity, t->motions, motions);
+    TABLE_GROW_ALIGNED(ok, t->moved, t->motions, motions);
     if (ok) t->motions = motions;
     return ok;
 }

@@ -246,7 +246,7 @@ typedef struct {
     const surface *s;
     int  triangle;          // whose
     vec3 from[LOOKS], delta;  // m
-    real fraction;             // of the way to what is behind
+    real fraction;          // of the way to what is behind
 } look_behind;
 
 static real measure_behind(void *context, int triangle)

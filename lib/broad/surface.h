@@ -39,7 +39,7 @@ typedef struct {
 // by_distance, which are no further from it than `most` (m)?
 typedef struct {
     aabb  thing;
-    vec3 delta;           // m
+    vec3 delta;         // m
     bool by_distance;
     real most;          // of the way (0 to 1), or m
     // Called with a triangle whose prism may be met; returns the new value of

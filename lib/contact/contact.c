@@ -51,7 +51,7 @@ contact_arms contact_arms_of(const contact *c, int k, const rigid_frame *a,
     contact_arms arm = contact_sides_of(c, k, a, b);
     if (!b) return arm;
     vec3 delta = vec3_sub(a->center, b->center);
-    vec3 seen = vec3_sub(arm.b, delta);       // B's point, from A's centre
+    vec3 seen = vec3_sub(arm.b, delta);     // B's point, from A's centre
     arm.a = vec3_add(vec3_scale(p->own, arm.a), vec3_scale(1 - p->own, seen));
     arm.b = vec3_add(arm.a, delta);
     return arm;

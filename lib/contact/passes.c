@@ -171,7 +171,7 @@ static inline void find_arm(real4 arm[3], const bodies4 *b,
 // What the rows of a block are made of.
 typedef struct {
     bodies4 a, b;
-    real4 delta[3];               // m, from B's centre to A's
+    real4 delta[3];             // m, from B's centre to A's
     real4 arm_a[CONTACT_POINTS][3], arm_b[CONTACT_POINTS][3];   // m
 } raw_block;
 
@@ -208,7 +208,7 @@ static void find_gaps(block *k, const raw_block *raw)
         real4 d[3];
         for (int i = 0; i < 3; i++)
             d[i] = real4_add(raw->delta[i], real4_sub(raw->arm_a[j][i],
-                                                    raw->arm_b[j][i]));
+                                                      raw->arm_b[j][i]));
         k->point[j].gap = real4_sub(real4_dot(k->normal, d), k->height);
         k->point[j].now = k->point[j].gap;
     }

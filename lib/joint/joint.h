@@ -121,7 +121,7 @@ typedef struct {
     real older[JOINT_ROWS];     // substep before
     real inverse[JOINT_ROWS][JOINT_ROWS];   // of K
     real give[JOINT_ROWS];      // 1/kg, 1/(kg m^2), compliance: what is added to K
-    real fraction;                 // of an error that a substep takes back
+    real fraction;              // of an error that a substep takes back
     real swing;                 // 1/(kg m), see linkage.c
     real hung;                  // rad/s, of a swing under a body's own weight
     real size;                  // m, the smaller radius of the two bodies

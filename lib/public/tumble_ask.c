@@ -15,7 +15,7 @@ typedef cast_result cast_query(const question *q, rounded b, const plane *p,
                                vec3 *scratch);
 struct question {
     rounded thing;
-    vec3 delta;           // m
+    vec3 delta;         // m
     sphere around;      // the thing, before it goes; of one that turns, about its
     unsigned mask;      // centre of mass
     vec3 turn;          // rad; zero: it does not

@@ -73,7 +73,7 @@ static void remove_prisms(tumble_world *w, body_place *x, int kept)
 typedef struct {
     int body;
     sphere ball;
-    vec3 delta;           // m
+    vec3 delta;         // m
     real beside;        // m, how far any of it gets out of the ball beside that
     aabb reach;         // around all that
 } presence;

@@ -11,7 +11,7 @@
 //   (a_i - a_0) + ((a_0 - b_0) + time delta).
 typedef struct {
     hull given;        // A as it was given
-    vec3 start, delta;        // m, a_0 - b_0; what A goes
+    vec3 start, delta;      // m, a_0 - b_0; what A goes
     vec3 *a_at, *b_at;      // the scratch: A at some time, B
     hull a, b;         // the same, for gjk
     real near, aim;         // m: to come nearer than near is to touch; we aim

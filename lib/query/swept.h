@@ -59,7 +59,7 @@ swept_result swept_first_touch(hull a, vec3 delta, hull b, real apart,
 // The motion of a hull in a frame: its centre moves straight, and it turns about it.
 typedef struct {
     vec3 center;        // m, at the start
-    vec3 delta;           // m, displacement of the centre in the frame
+    vec3 delta;         // m, displacement of the centre in the frame
     vec3 turn;          // rad, in the frame, right-handed
     real out;           // m, distance of its furthest point from the centre
 } swept_motion;

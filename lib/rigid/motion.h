@@ -41,7 +41,7 @@ typedef struct {
 // How a body may move in a frame.
 typedef struct {
     real seconds;       // s, the length of that frame
-    vec3 delta;           // m, the displacement of its centre at its velocity now
+    vec3 delta;         // m, the displacement of its centre at its velocity now
     real turn;          // m, how much further a vertex may move
     real reach;         // m, how far a vertex may move in all
     vec3 spin;          // rad, the rotation at its spin now, without the part that

@@ -94,7 +94,7 @@ typedef struct {
     int  rides;         // knows the rigid body that it goes with, -1: none,
     bool is_whole;      // if there are others,
     real mass;          // kg, what all weigh,
-    vec3 delta;           // kg m, and the sum of their ways
+    vec3 delta;         // kg m, and the sum of their ways
 } certified_vertex;
 
 // All but what was prevented, what is kept, and where all was when that was

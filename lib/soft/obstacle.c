@@ -95,7 +95,7 @@ static bool stands_over_edge(const obstacle *b, vec3 x, int k,
     real of_p = up - both * beyond, of_q = beyond - both * up;
     if (!(sine2 > SHARP && of_p > 0 && of_q > 0)) return false;
     vec3 delta = vec3_add_scaled(vec3_scale(of_p / sine2, p.normal),
-                               of_q / sine2, q.normal);
+                                 of_q / sine2, q.normal);
     *out = (surface_point){ vec3_sub(x, delta), vec3_unit(delta) };
     return is_behind_faces(b, out->at);
 }

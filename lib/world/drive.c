@@ -37,7 +37,7 @@ void drive_advance(world *w, int b, real seconds)
     const rigid_frame *began = &w->rigid.began[b];
     motion_basis basis = basis_find(w->body[b].rigid, began);
     motion delta = motion_make(&basis, vec3_scale(seconds, d->velocity),
-                             vec3_scale(seconds, d->spin));
+                               vec3_scale(seconds, d->spin));
     now->frame = motion_frame(began, &basis, &delta);
     now->basis = basis_find(w->body[b].rigid, &now->frame);
     drive_begin(w, b);

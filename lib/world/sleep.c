@@ -90,7 +90,7 @@ void sleep_begin(sleep_state *s)
 //> sleep-limits
 // What is still, for one body.
 typedef struct {
-    real delta;       // m, in a window
+    real delta;     // m, in a window
     real speed;     // m/s, now
     real noise;     // m, by which a window may be longer than the one before
     int  frames;    // half a window
@@ -200,7 +200,7 @@ static void update_windows_of(sleep_state *s, int b, const particle *pool,
         real most = watch->stood[k] ? JITTER * l->delta : l->delta;
         if (w->delta <= most)
             w->delta = real_max(furthest_moved(pool + first, s->start[k] + first, n),
-                              w->delta);
+                                w->delta);
         if (w->delta > most) watch->is_moving = true;
     }
 }

@@ -29,7 +29,7 @@ real sleep_scaled(real speed, real gravity, real radius);
 
 // A window of time, half as long as time_to_sleep.
 typedef struct {
-    real delta;       // m, the largest distance of a particle from where it was when
+    real delta;     // m, the largest distance of a particle from where it was when
                     // the window began
     real before;    // m, the same in the window before; -HUGE_VAL: none
 } sleep_window;

@@ -577,7 +577,8 @@ static bool find_lowest(const slider *s, const side *x, int k, vec3 m,
 
 // A cylinder was asked as a prism, and over an edge of the floor the normal of that
 // leans.  Where the cylinder lies lowest over a face, the normal is the face's: no
-// points of both are nearer.  (Not what meets the floor later, on another face.)
+// points of both are nearer.  So it is where it is asked ahead, as a coin that leans
+// and rolls over many edges is.
 static bool lay_cylinder(const slider *s, side *x, int face, vec3 m)
 {
     contact *t = x->contact;

@@ -449,17 +449,17 @@ static void turn_together(rigid_tables *t, int small, int large, vec3 moment)
 }
 
 // Both make way, by their masses; but a joint would be torn by that, so beside a body
-// that is joined only the other one does, if it is not.  A shift across the way that
-// they go changes their angular momentum.
+// that is joined only the other one does, if it is not, and can.  A shift across the
+// way that they go changes their angular momentum.
 static void move_both(world *w, int small, int large, const lost_side *s)
 {
     rigid_tables *t = &w->rigid;
     solver_body *a = &t->now[small], *b = &t->now[large];
+    real x = a->basis.inverse_mass, y = b->basis.inverse_mass;
     bool holds_a = linkage_has(&w->joints, small);
     bool holds_b = linkage_has(&w->joints, large);
-    real x = holds_a && !holds_b ? 0 : a->basis.inverse_mass;
-    real y = holds_b && !holds_a ? 0 : b->basis.inverse_mass;
-    if (!(x + y > 0)) return;
+    if (holds_a && !holds_b && y > 0) x = 0;
+    if (holds_b && !holds_a && x > 0) y = 0;
     a->frame.center = vec3_add_scaled(a->frame.center, s->need * x / (x + y),
                                       s->normal);
     b->frame.center = vec3_add_scaled(b->frame.center, -s->need * y / (x + y),

@@ -34,6 +34,7 @@ define ORDER
 11/manifold
 12/inline
 12/taut
+12/angular
 12/line
 12/bend
 13/arctan

@@ -47,6 +47,7 @@ typedef struct {
     const material *wall;       // [planes] and these
     const int *owner;           // [particles] of the pool: whose they are
     sunk_state *sunk;           // [bodies] of deformable ones
+    vec3 *owed;                 // [bodies] see owe_angular
     int  iterations;            // over strands, at most
     bool certified;             // no cloth crosses cloth, see certificate.h
     relax_options relax;

@@ -3,6 +3,7 @@
 #include "soft.h"
 #include "table.h"
 #include "taut.h"
+#include "angular.h"
 
 #include <assert.h>
 #include <stddef.h>
@@ -62,24 +63,17 @@ static void forget_holds(const soft_frame *f, const body *b)
 // A crease can shear a cell until the ends of one of its diagonals, of which
 // only every second has a stick, meet, and the triangles around them cross.
 // They are kept apart as any two particles are.
-static void part_ends(particle *p, particle_contact c, real friction)
-{
-    if (particle_contact_overlaps(&c, p))
-        particle_contact_separate(c, p, friction);
-}
-
 static void spread_cells(const soft_frame *f, int number)
 {
     const body *b = &f->body[number];
     int columns = b->shape->columns, rows = b->shape->rows;
     real distance = 2 * b->thickness;
     real friction = soft_material(f, number, number).friction;
-    particle *row = f->particle + b->first;
-    for (int k = 0; k + 1 < rows; k++, row += columns)
+    for (int k = 0; k + 1 < rows; k++)
         for (int i = 0; i + 1 < columns; i++) {
-            int c = i + columns;
-            part_ends(row, (particle_contact){ i, c + 1, distance }, friction);
-            part_ends(row, (particle_contact){ i + 1, c, distance }, friction);
+            int a = b->first + k * columns + i, c = a + columns;
+            touch_part(f, (particle_contact){ a, c + 1, distance }, friction);
+            touch_part(f, (particle_contact){ a + 1, c, distance }, friction);
         }
 }
 
@@ -98,8 +92,9 @@ static real stiffness_in(const soft_frame *f, real stiffness)
     return stiffness / (stiffness + (1 - stiffness) * times * times);
 }
 
-// A corrected share of what each is off, along what it is now.
-static void draw(const stick *s, int n, real stiffness, particle *p)
+// A corrected share of what each is off, along what it is now.  What that turns is
+// owed, see owe_angular.
+static void draw(const stick *s, int n, real stiffness, particle *p, vec3 *owed)
 {
     for (int k = 0; k < n; k++) {
         particle *a = &p[s[k].a], *b = &p[s[k].b];
@@ -108,6 +103,8 @@ static void draw(const stick *s, int n, real stiffness, particle *p)
         real divisor = length * (a->inverse_mass + b->inverse_mass);
         if (!(divisor > 0)) continue;
         real pull = stiffness * (length - s[k].rest_length) / divisor;
+        vec3 then = vec3_sub(b->previous, a->previous);
+        *owed = vec3_add_scaled(*owed, pull, vec3_cross(then, along));
         a->position = vec3_add_scaled(a->position, pull * a->inverse_mass,
                                       along);
         b->position = vec3_add_scaled(b->position, -pull * b->inverse_mass,
@@ -124,7 +121,8 @@ static void draw_diagonals(soft_solver *s, const soft_frame *f, const body *b)
     if (others == 0) return;
     const stick *diagonal = plan->stick + links;
     real stiffness = stiffness_in(f, diagonal->stiffness);
-    draw(diagonal, others, stiffness, f->particle + b->first);
+    draw(diagonal, others, stiffness, f->particle + b->first,
+         &s->owed[b - f->body]);
     spread_cells(f, (int)(b - f->body));
     s->tested += others;
     s->relaxed += others;
@@ -142,6 +140,18 @@ static real sum_of_moves(const soft_frame *f, const body *b)
     return sum;
 }
 
+static void bend_particles(soft_solver *s, const soft_frame *f, int number)
+{
+    const body *b = &f->body[number];
+    particle *p = f->particle + b->first;
+    int n = body_particles(b);
+    bool is_free = b->bending > 0 && !s->held[number];
+    angular was = { .sum = { 0, 0, 0 } };
+    if (is_free) was = angular_of(p, n);
+    bend_relax(b->shape, b->bending, p, f->h, s->bends);
+    if (is_free) angular_restore(was, p, n);
+}
+
 void soft_move(soft_solver *s, const soft_frame *f)
 {
     for (int n = 0; n < f->softs; n++) {
@@ -150,8 +160,7 @@ void soft_move(soft_solver *s, const soft_frame *f)
         fall_particles(f, x);
         if (s->sunk[f->soft[n]] != SUNK_NOT)
             s->fallen[f->soft[n]] = sum_of_moves(f, x);
-        bend_relax(x->shape, x->bending, f->particle + x->first, f->h,
-                   s->bends);
+        bend_particles(s, f, f->soft[n]);
         forget_holds(f, x);
     }
 }
@@ -237,6 +246,15 @@ static void remember_sweeps(int *sweeps, line_result l, real tolerance)
     *sweeps = l.steps - is_spared;
 }
 
+// What nothing pins or touches gets no turn from its own strands.
+static bool is_alone(const soft_solver *s, const soft_frame *f, const body *b)
+{
+    bool is_any = s->held[b - f->body];
+    for (int i = b->first; i < b->first + body_particles(b); i++)
+        is_any |= f->hold[i].state >= LINE_TOUCHES;
+    return !is_any;
+}
+
 static void relax_soft(soft_solver *s, const soft_frame *f, const body *b,
                        line_hold *hold)
 {
@@ -248,8 +266,15 @@ static void relax_soft(soft_solver *s, const soft_frame *f, const body *b,
     real give = compliance_of(b, is_held) / (f->h * f->h);
     int *fewest = &s->sweeps[b - f->body];
     if (!is_held || shape_directions(plan) < 2) *fewest = 0;
+    bool is_free = is_alone(s, f, b);
+    vec3 *owed = &s->owed[b - f->body];
+    angular was = { .sum = { 0, 0, 0 } };
+    if (is_free) was = angular_of(p, plan->particles);
+    was.sum = vec3_add(was.sum, *owed);
+    *owed = (vec3){ 0, 0, 0 };
     line_result l = lines_relax(plan, p, *fewest, f->iterations, o, hold, give,
                                 b->line);
+    if (is_free) angular_restore(was, p, plan->particles);
     if (hold) remember_sweeps(fewest, l, o.tolerance);
     s->tested += l.steps * links;
     s->relaxed += l.steps * links;
@@ -568,6 +593,7 @@ static bool make_soft_room(soft_solver *s, const body *b, int bodies, int partic
     if (ok && room > s->bodies) TABLE_GROW(ok, s->sweeps, s->bodies, room);
     if (ok && room > s->bodies) TABLE_GROW(ok, s->sunk, s->bodies, room);
     if (ok && room > s->bodies) TABLE_GROW(ok, s->fallen, 0, room);
+    if (ok && room > s->bodies) TABLE_GROW(ok, s->owed, 0, room);
     if (ok) s->bodies = room;
     if (particle_room > s->particles)
         TABLE_GROW(ok, s->hold, s->particles, particle_room);
@@ -639,6 +665,7 @@ void soft_free(soft_solver *s)
     free(s->sweeps);
     free(s->sunk);
     free(s->fallen);
+    free(s->owed);
     free(s->hold);
     free(s->bends);
     *s = (soft_solver){ .touching = 0 };

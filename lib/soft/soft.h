@@ -23,6 +23,7 @@ typedef struct {
     sunk_state *sunk;   // [bodies] of ropes and cloths
     real *fallen;       // [bodies] kg m^2, the sum of m move^2 of a sunk one, as
                         // this substep fell
+    vec3 *owed;         // [bodies] kg m^2, see owe_angular
     line_hold *hold;    // [particles] the immovable thing that each touches
     bend_row *bends;    // [rows] of the longest strand
     int  bodies, particles, rows;       // for so many there is room

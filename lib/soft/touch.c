@@ -604,6 +604,30 @@ static bool touch_nailed(const soft_frame *f, int i, int nailed, real apart,
     return touch_fixed(f, i, (surface_point){ at, normal }, apart, m);
 }
 
+// Two particles in touch are pushed along arms that are not one, and do not spin.  The
+// angular momentum that this takes from them their bodies get back, half of it each,
+// when the strands are solved.
+static void owe_angular(const soft_frame *f, particle_contact c, vec3 was)
+{
+    const particle *a = &f->particle[c.a], *b = &f->particle[c.b];
+    if (a->inverse_mass == 0 || b->inverse_mass == 0) return;
+    if (f->owner[c.a] != f->owner[c.b]) return;
+    vec3 push = vec3_scale(1 / a->inverse_mass, vec3_sub(a->position, was));
+    vec3 half = vec3_scale(0.5, vec3_cross(push, vec3_sub(a->previous, b->previous)));
+    vec3 *one = &f->owed[f->owner[c.a]], *other = &f->owed[f->owner[c.b]];
+    *one = vec3_add(*one, half);
+    *other = vec3_add(*other, half);
+}
+
+real touch_part(const soft_frame *f, particle_contact c, real friction)
+{
+    if (!particle_contact_overlaps(&c, f->particle)) return 0;
+    vec3 was = f->particle[c.a].position;
+    real depth = particle_contact_separate(c, f->particle, friction);
+    if (depth > 0) owe_angular(f, c, was);
+    return depth;
+}
+
 // When all are parted, friction takes back how far two slid past each other, and how
 // far their strands will draw them, as they did before.  One pair after the other
 // it would take for sliding what the next push takes back.  Two that began too near
@@ -617,9 +641,11 @@ static void brake_pairs(const near_lists *l, const soft_frame *f, int pressed)
         bool is_apart = one == other || real_min(l->gap[one], l->gap[other]) >= 1;
         vec3 drawn = { 0, 0, 0 };
         if (is_apart) drawn = vec3_sub(hold_drawn(a), hold_drawn(b));
+        vec3 was = f->particle[c.a].position;
         particle_contact_brake(c, f->particle, drawn,
                                soft_material(f, one, other).friction
                                * l->pressed[k].depth);
+        owe_angular(f, c, was);
         if (a->state == LINE_FREE) a->state = LINE_MEETS;
         if (b->state == LINE_FREE) b->state = LINE_MEETS;
     }
@@ -640,8 +666,7 @@ int touch_pairs(const near_lists *l, const soft_frame *f, real *deepest)
                                      soft_material(f, a, b));
             continue;
         }
-        if (!particle_contact_overlaps(&c, f->particle)) continue;
-        real depth = particle_contact_separate(c, f->particle, 0);
+        real depth = touch_part(f, c, 0);
         if (!(depth > 0)) continue;
         l->pressed[pressed++] = (pressed_pair){ k, depth };
         if (depth > *deepest * c.distance) *deepest = depth / c.distance;

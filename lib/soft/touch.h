@@ -10,6 +10,9 @@
 
 //> touch-declare
 //>   Planes and pairs of particles come first, then bodies, then facets.
+// Parts two particles of the pool that overlap, and returns by how much they did (m).
+real touch_part(const soft_frame *f, particle_contact c, real friction);
+
 // Each parts what is listed and overlaps, and returns how many it parted.
 // Particles and planes,
 int touch_planes(const soft_frame *f);

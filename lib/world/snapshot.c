@@ -209,6 +209,7 @@ static void soft_store(soft_solver *x, store *s)
     STORE_TABLE(s, x->sweeps, x->bodies, x->bodies);
     STORE_TABLE(s, x->sunk, x->bodies, x->bodies);
     STORE_ROOM(s, x->fallen, x->bodies);
+    STORE_ROOM(s, x->owed, x->bodies);
     STORE_TABLE(s, x->hold, x->particles, x->particles);
     STORE_ROOM(s, x->bends, x->rows);
 }

@@ -19,7 +19,7 @@ soft_frame soft_frame_of(world *w, real h)
         .tied = w->joints.tied, .ties = w->joints.ties,
         .plane = w->plane, .planes = w->planes, .gravity = o->gravity,
         .material = t->material, .wall = w->wall, .owner = w->owner,
-        .sunk = w->soft.sunk,
+        .sunk = w->soft.sunk, .owed = w->soft.owed,
         .iterations = o->iterations, .certified = o->certified,
         .relax = o->relax, .substeps = o->substeps,
         .stiff_substeps = world_usual(w, true),

@@ -40,7 +40,7 @@ static vec3 sum_about(vec3 middle, const particle *p, int n)
     return sum;
 }
 
-angular angular_of(const particle *p, int n)
+angular angular_measure(const particle *p, int n)
 {
     vec3 middle = middle_of(p, n, BEFORE);
     return (angular){ middle, sum_about(middle, p, n) };

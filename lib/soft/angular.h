@@ -19,7 +19,7 @@ typedef struct {
 
 //> angular-declare
 // Of n particles none of which is pinned.
-angular angular_of(const particle *p, int n);
+angular angular_measure(const particle *p, int n);
 
 // Turns the particles as a whole, about their centre of mass, so that they have the
 // angular momentum that they had, if the links within them have changed it since.

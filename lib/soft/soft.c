@@ -147,7 +147,7 @@ static void bend_particles(soft_solver *s, const soft_frame *f, int number)
     int n = body_particles(b);
     bool is_free = b->bending > 0 && !s->held[number];
     angular was = { .sum = { 0, 0, 0 } };
-    if (is_free) was = angular_of(p, n);
+    if (is_free) was = angular_measure(p, n);
     bend_relax(b->shape, b->bending, p, f->h, s->bends);
     if (is_free) angular_restore(was, p, n);
 }
@@ -269,7 +269,7 @@ static void relax_soft(soft_solver *s, const soft_frame *f, const body *b,
     bool is_free = is_alone(s, f, b);
     vec3 *owed = &s->owed[b - f->body];
     angular was = { .sum = { 0, 0, 0 } };
-    if (is_free) was = angular_of(p, plan->particles);
+    if (is_free) was = angular_measure(p, plan->particles);
     was.sum = vec3_add(was.sum, *owed);
     *owed = (vec3){ 0, 0, 0 };
     line_result l = lines_relax(plan, p, *fewest, f->iterations, o, hold, give,

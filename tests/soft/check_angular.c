@@ -68,7 +68,7 @@ START_TEST(what_pulls_have_taken_is_given_back)
         real size = pow(10, random_between(&seed, -3, 3));
         scatter(n, dimensions, size, random_vec3(&seed, 3 * size));
         vec3 before = angular_about_origin(n);
-        angular was = angular_of(p, n);
+        angular was = angular_measure(p, n);
         pull_pairs(n, size);
         vec3 moving = momentum(n), taken = angular_about_origin(n);
         angular_restore(was, p, n);
@@ -90,7 +90,7 @@ START_TEST(lengths_stay)
         int n = 10;
         scatter(n, 3, 1, vec3_make(0, 0, 0));
         vec3 at[MOST];
-        angular was = angular_of(p, n);
+        angular was = angular_measure(p, n);
         pull_pairs(n, 1);
         for (int i = 0; i < n; i++) at[i] = p[i].position;
         angular_restore(was, p, n);
@@ -109,11 +109,11 @@ START_TEST(what_lies_in_one_line_is_turned_across_it)
     scatter(12, 1, 1, vec3_make(5, 0, 0));
     vec3 line = vec3_unit(vec3_sub(p[1].previous, p[0].previous));
     for (int i = 0; i < 12; i++) p[i].position = p[i].previous;
-    angular was = angular_of(p, 12);
+    angular was = angular_measure(p, 12);
     vec3 across = vec3_unit(vec3_cross(line, vec3_make(0.3, 1, 0.2)));
     was.sum = vec3_scale(1e-3, across);
     angular_restore(was, p, 12);
-    angular now = angular_of(p, 12);
+    angular now = angular_measure(p, 12);
     near(vec3_distance(now.sum, was.sum), 0, 1e-9, "angular momentum, kg m^2");
 }
 END_TEST
@@ -124,7 +124,7 @@ START_TEST(what_has_no_number_or_is_too_much_is_left)
     scatter(12, 3, 1, vec3_make(0, 0, 0));
     const vec3 bad[] = { { NAN, 0, 0 }, { HUGE_VAL, 0, 0 }, { 1e6, 0, 0 } };
     for (int k = 0; k < 3; k++) {
-        angular was = angular_of(p, 12);
+        angular was = angular_measure(p, 12);
         was.sum = bad[k];
         vec3 at = p[3].position;
         angular_restore(was, p, 12);
@@ -132,7 +132,7 @@ START_TEST(what_has_no_number_or_is_too_much_is_left)
     }
     for (int i = 0; i < 12; i++) p[i].position = p[i].previous = p[0].previous;
     vec3 at = p[3].position;
-    angular_restore(angular_of(p, 12), p, 12);
+    angular_restore(angular_measure(p, 12), p, 12);
     ck_assert(vec3_distance(at, p[3].position) == 0);
 }
 END_TEST

@@ -17,7 +17,7 @@ static const real ANGULAR_MOST = 0.05;
 // Which of a particle's places.
 typedef enum { BEFORE, NOW } moment;
 
-static vec3 middle_of(const particle *p, int n, moment m)
+static vec3 mass_center(const particle *p, int n, moment m)
 {
     vec3 sum = { 0, 0, 0 };
     real mass = 0;
@@ -42,7 +42,7 @@ static vec3 sum_about(vec3 middle, const particle *p, int n)
 
 angular angular_measure(const particle *p, int n)
 {
-    vec3 middle = middle_of(p, n, BEFORE);
+    vec3 middle = mass_center(p, n, BEFORE);
     return (angular){ middle, sum_about(middle, p, n) };
 }
 //<
@@ -88,7 +88,7 @@ static vec3 turn_for(turn_matrix a, vec3 asked)
 
 void angular_restore(angular was, particle *p, int n)
 {
-    vec3 center = middle_of(p, n, NOW);
+    vec3 center = mass_center(p, n, NOW);
     vec3 lost = vec3_sub(was.sum, sum_about(was.middle, p, n));
     vec3 turn = turn_for(matrix_of(was.middle, center, p, n), lost);
     if (!(vec3_length_squared(turn) < ANGULAR_MOST * ANGULAR_MOST)) return;

@@ -25,12 +25,6 @@ static int lanes_for(strands s)
     return s.lines < LANES ? 1 : LANES;
 }
 
-// Of the block that line number `line` is solved in.
-static int block_number(strands s, int line)
-{
-    return s.lines < LANES ? line : line / LANES;
-}
-
 // Many particles, each coordinate for itself.  The four stand in one piece of
 // memory, one after the other, equally far apart.
 typedef struct {
@@ -58,15 +52,10 @@ struct line_scratch {
     int    room;        // particles of the body
     real   lightest;    // 1/kg, the largest inverse mass
     places now, before; // [room] at this step, and a step ago
-    places hold;        // [room] m of the chapter: 0 where nothing holds
     places block;       // [(particles + 1) * LANES] of the lines in hand
-    places block_hold;
     real  *link;        // [(particles + 1) * LANES * FIELDS]
     real  *drawn[2];    // [drawn_room] kg m, for each direction, block, link
                         // and lane: how the link has pulled so far
-    char  *held[2];     // [room] for each direction, block and particle of its
-                        // lines: has one of the lanes an m?
-    bool   is_held;     // one of them all
     real   memory[];
 };
 
@@ -88,14 +77,6 @@ static places cut(real **memory, size_t n)
     return (places){ at, at + n, at + 2 * n, at + 3 * n };
 }
 
-// The m themselves have been taken away one by one.
-static void hold_nothing(line_scratch *scratch)
-{
-    size_t room = (size_t)scratch->room;
-    if (scratch->is_held) memset(scratch->held[0], 0, 2 * room);
-    scratch->is_held = false;
-}
-
 // The last block of a direction may have lanes that nothing needs.
 static size_t drawn_room(const shape *s)
 {
@@ -108,8 +89,8 @@ size_t line_scratch_size(const shape *s)
     size_t longest = (size_t)int_max(s->columns, s->rows);
     size_t room = longest > 0 ? (size_t)s->particles : 0;
     size_t rows = (longest + 1) * LANES, drawn = room ? drawn_room(s) : 0;
-    return sizeof(line_scratch) + sizeof(real) * (12 * room
-               + (8 + FIELDS) * rows + 2 * drawn + 21 * IN_LINE) + 2 * room;
+    return sizeof(line_scratch) + sizeof(real) * (8 * room
+               + (4 + FIELDS) * rows + 2 * drawn + 13 * IN_LINE);
 }
 
 void line_scratch_init(line_scratch *scratch, const shape *s)
@@ -122,18 +103,10 @@ void line_scratch_init(line_scratch *scratch, const shape *s)
     scratch->room      = (int)room;
     scratch->now    = cut(&memory, room);
     scratch->before = cut(&memory, room);
-    scratch->hold   = cut(&memory, room);
     scratch->block  = cut(&memory, rows);
-    scratch->block_hold = cut(&memory, rows);
     scratch->link   = memory;
     scratch->drawn[0] = memory + FIELDS * rows;
     scratch->drawn[1] = scratch->drawn[0] + drawn;
-    scratch->held[0] = (char *)(scratch->drawn[1] + drawn);
-    scratch->held[1] = scratch->held[0] + room;
-    scratch->is_held = true;
-    hold_nothing(scratch);
-    memset(scratch->hold.x, 0, 4 * (size_t)(scratch->hold.y - scratch->hold.x)
-                               * sizeof(real));
 }
 
 line_scratch *line_scratch_new(const shape *s)
@@ -179,7 +152,6 @@ static void gather_all(line_scratch *scratch, const particle *p, int n,
                        relax_options options)
 {
     assert(options.tolerance >= 0 && n <= scratch->room);
-    hold_nothing(scratch);
     scratch->lightest = gather_line(scratch->now, p, n);
     if (options.gradient == GRADIENT_OLD) gather_before(scratch->before, p, n);
 }
@@ -256,10 +228,6 @@ static inline void count_wrong(tally *t, int l, real twice, int old)
 // A pivot below this share of its diagonal is what rounding left of nothing.
 static const real LINE_NOTHING = 1e-9;
 
-// A link that lies along the normals of what holds its ends asks for what they
-// hardly give.  It gets a little less than it asks for.
-static const real LESS = 0.005;             // tuned, 1
-
 static inline vec3 row_link(const real *at, int apart, int pitch, int l)
 {
     return vec3_sub(lane_get(at, 0, apart, l + pitch),
@@ -279,18 +247,6 @@ ALWAYS_INLINE entries entries_of(vec3 last, vec3 link, vec3 last_push,
                       both * vec3_dot(link, push) };
 }
 
-// What W = w - m m^T adds; m is that of particle k, n of the next one.
-ALWAYS_INLINE entries entries_held(vec3 last, vec3 link, vec3 last_push,
-                                   vec3 push, vec3 m, vec3 n)
-{
-    real spared = LESS * (vec3_length_squared(m) + vec3_length_squared(n));
-    return (entries){ -vec3_dot(m, link) * vec3_dot(m, last_push),
-                      -vec3_dot(m, last) * vec3_dot(m, push),
-                      spared * vec3_length_squared(link)
-                      - vec3_dot(m, link) * vec3_dot(m, push)
-                      - vec3_dot(n, link) * vec3_dot(n, push) };
-}
-
 // m^2, what is wrong with a link that may be longer by `longer` (m), times its
 // length.
 static inline real wrong_length(real now, real rest, real longer)
@@ -308,11 +264,9 @@ static inline real wrong_length(real now, real rest, real longer)
 // A link without length, between two nails, or that the ones before it leave
 // no freedom has no pivot: its multiplier is 0.  A link shorter than about
 // L / sqrt(3) asks for no more than twice its length.
-// at and hold: the coordinates of a row of particles, `apart` numbers from each
-// other.  drawn: how the links have pulled; a pull of 1 stretches them by give.
-ALWAYS_INLINE void eliminate_rows(const real *restrict at, const real *restrict hold,
-                                  int apart, int pitch, real *restrict before,
-                                  int lanes, int old, int held, int gives,
+// at: the coordinates of a row of particles, `apart` numbers from each other.  drawn: how the links have pulled; a pull of 1 stretches them by give.
+ALWAYS_INLINE void eliminate_rows(const real *restrict at, int apart, int pitch, real *restrict before,
+                                  int lanes, int old, int gives,
                                   real rest2, real half,
                                   const real *restrict drawn, real give,
                                   tally *restrict t)
@@ -329,14 +283,6 @@ ALWAYS_INLINE void eliminate_rows(const real *restrict at, const real *restrict 
         real weight = w[0], both = weight + w[pitch];
         real now = vec3_length_squared(link);
         entries e = entries_of(last, link, last_push, push, weight, both);
-        if (held) {
-            entries a = entries_held(last, link, last_push, push,
-                                     lane_get(hold, 0, apart, l),
-                                     lane_get(hold, 0, apart, l + pitch));
-            e.lower += a.lower;
-            e.upper += a.upper;
-            e.diagonal += a.diagonal;
-        }
         if (gives) e.diagonal += give * now;
         real h = (old ? e.upper : e.lower) * before[SHARE * lanes + l];
         before[SHARE * lanes + l] = h;
@@ -357,50 +303,34 @@ ALWAYS_INLINE void eliminate_rows(const real *restrict at, const real *restrict 
     }
 }
 
-// Row k of eight, whatever holds and gives: a loop for each, so that none chooses.
+// Row k of eight, which give or do not: a loop for each, so that none chooses.
 // A compiler must assume that two pointers may point to the same thing; `restrict`
 // says that they do not, and is surely heard in a function of its own.
-NEVER_INLINE void eliminate_eight(const real *restrict at, const real *restrict hold,
-                                  int apart, int pitch, real *restrict before,
-                                  int held, real rest2, real half,
+NEVER_INLINE void eliminate_eight(const real *restrict at, int apart, int pitch, real *restrict before,
+                                  real rest2, real half,
                                   const real *restrict drawn, real give,
                                   tally *restrict t)
 {
-    if (give > 0 && held)
-        eliminate_rows(at, hold, apart, pitch, before, LANES, 0, 1, 1, rest2, half,
-                       drawn, give, t);
-    else if (give > 0)
-        eliminate_rows(at, hold, apart, pitch, before, LANES, 0, 0, 1, rest2, half,
-                       drawn, give, t);
-    else if (held)
-        eliminate_rows(at, hold, apart, pitch, before, LANES, 0, 1, 0, rest2, half,
-                       drawn, give, t);
+    if (give > 0)
+        eliminate_rows(at, apart, pitch, before, LANES, 0, 1, rest2, half, drawn, give,
+                       t);
     else
-        eliminate_rows(at, hold, apart, pitch, before, LANES, 0, 0, 0, rest2, half,
-                       drawn, give, t);
+        eliminate_rows(at, apart, pitch, before, LANES, 0, 0, rest2, half, drawn, give,
+                       t);
 }
 //<
 
 //> line-substitute
-//>   A row of eight with no held particle leaves the rank-one correction out.
 //>   The walk up moves the particles.
 // Upwards: the multiplier of link k, `here`, is g_k + h_k times that of link
 // k + 1, `after`.  Then the particle between them knows where to go, for link
 // k + 1 has left in `pull` what it asks:
-//     w (multiplier_(k+1) push_(k+1) - multiplier_k push_k),
-// and less of it if that would take the particle into what it touches.
-ALWAYS_INLINE vec3 give_way(real weight, vec3 pull, vec3 m)
-{
-    real into = vec3_dot(m, pull);
-    return vec3_add_scaled(vec3_scale(weight, pull), into < 0 ? -into : 0, m);
-}
-
+//     w (multiplier_(k+1) push_(k+1) - multiplier_k push_k).
 ALWAYS_INLINE void substitute(real *restrict x, real *restrict y,
                               real *restrict z, const real *restrict weight,
-                              const real *restrict hold, int apart,
                               real *restrict here,
                               const real *restrict after, int lanes, int old,
-                              int held, real *restrict pull, real *restrict far)
+                              real *restrict pull, real *restrict far)
 {
     for (int l = 0; l < lanes; l++) {
         real solved = here[SOLVED * lanes + l]
@@ -409,10 +339,9 @@ ALWAYS_INLINE void substitute(real *restrict x, real *restrict y,
         vec3 up = lane_get(pull, 0, lanes, l);
         vec3 down = vec3_scale(solved, lane_get(here, PUSH, lanes, l));
         vec3 g = vec3_sub(up, down);
-        vec3 d = held ? give_way(weight[l], g, lane_get(hold, 0, apart, l))
-                      : vec3_scale(weight[l], g);
+        vec3 d = vec3_scale(weight[l], g);
         lane_set(pull, 0, lanes, l, down);
-        if (old || held) far[l] += vec3_length_squared(d);
+        if (old) far[l] += vec3_length_squared(d);
         x[l] += d.x;
         y[l] += d.y;
         z[l] += d.z;
@@ -422,14 +351,10 @@ ALWAYS_INLINE void substitute(real *restrict x, real *restrict y,
 // As above.
 NEVER_INLINE void substitute_eight(real *restrict x, real *restrict y,
                                    real *restrict z, const real *restrict weight,
-                                   const real *restrict hold, int apart,
                                    real *restrict here, const real *restrict after,
-                                   int held, real *restrict pull, real *restrict far)
+                                   real *restrict pull, real *restrict far)
 {
-    if (held)
-        substitute(x, y, z, weight, hold, apart, here, after, LANES, 0, 1, pull, far);
-    else
-        substitute(x, y, z, weight, hold, apart, here, after, LANES, 0, 0, pull, far);
+    substitute(x, y, z, weight, here, after, LANES, 0, pull, far);
 }
 //<
 
@@ -447,14 +372,12 @@ typedef struct {
     int  old;                   // 1: along the old links; of one lane
     int  in_place;              // 1: solved where the body's places are
     bool may_skip;              // a block that is good
-    int  direction;             // of the strands; -1: one that is not held
+    int  direction;             // of the strands
     real give;                  // 1/kg, by how much (m) a pull of 1 kg m
                                 // stretches a link
     real *drawn;                // [links][lanes] kg m, how they have pulled; or
                                 // NULL: none asks
-    places at, hold;            // particle k of lane l is number k pitch + l
-    const char *held;           // [particles] is one of the lanes held?  Or
-                                // NULL: none is
+    places at;                  // particle k of lane l is number k pitch + l
     int  pitch;
     tally t;
     real first;                 // m^2, of lane 0: t.worst before the first step
@@ -474,13 +397,9 @@ static void block_begin(line_block *b, int first)
     int begin = int_min(first, b->s.lines - b->lanes);
     b->start = begin * b->s.across;
     b->from = first - begin;
-    b->held = NULL;
     if (b->drawn)
         b->drawn = b->scratch->drawn[b->direction]
                  + first * b->s.particles;
-    if (b->direction >= 0 && b->scratch->is_held)
-        b->held = b->scratch->held[b->direction]
-                + block_number(b->s, first) * b->s.particles;
 }
 //<
 
@@ -529,9 +448,6 @@ static void block_fetch(line_block *b)
     b->pitch = b->lanes;
     b->at = places_from(room, b->lanes);
     block_copy(b, b->at, b->scratch->now);
-    if (!b->held) return;
-    b->hold = b->scratch->block_hold;
-    block_copy(b, b->hold, b->scratch->hold);
 }
 
 static void block_load(line_block *b)
@@ -540,7 +456,6 @@ static void block_load(line_block *b)
     b->in_place = fits_in_place(b);
     b->pitch = along;
     b->at = places_from(b->scratch->now, b->start);
-    b->hold = places_from(b->scratch->hold, b->start);
     if (!b->in_place) block_fetch(b);
 
     // No link comes before the first, none after the last.
@@ -567,24 +482,20 @@ static void block_store(const line_block *b, const int *solved)
 static void block_eliminate(line_block *b)
 {
     tally t = { .worst = { 0 } };
-    const real *at = b->at.x, *hold = b->hold.x, *drawn = b->drawn;
+    const real *at = b->at.x, *drawn = b->drawn;
     int apart = (int)(b->at.y - b->at.x), pitch = b->pitch, lanes = b->lanes;
     real *row = row_at(b, -1), rest2 = b->s.rest_length * b->s.rest_length;
     real half = b->more / 2;
     for (int k = 1; k < b->s.particles; k++) {
-        bool is_held = b->held && (b->held[k - 1] | b->held[k]);
         if (b->old)
-            eliminate_rows(at, hold, apart, pitch, row, 1, 1, is_held, 0, rest2, half,
-                           NULL, 0, &t);
+            eliminate_rows(at, apart, pitch, row, 1, 1, 0, rest2, half, NULL, 0, &t);
         else if (lanes == 1)
-            eliminate_rows(at, hold, apart, pitch, row, 1, 0, is_held, b->give > 0,
-                           rest2, half, drawn, b->give, &t);
+            eliminate_rows(at, apart, pitch, row, 1, 0, b->give > 0, rest2, half, drawn,
+                           b->give, &t);
         else
-            eliminate_eight(at, hold, apart, pitch, row, is_held, rest2, half, drawn,
-                            b->give, &t);
+            eliminate_eight(at, apart, pitch, row, rest2, half, drawn, b->give, &t);
         row += FIELDS * lanes;
         at += pitch;
-        hold += pitch;
         if (drawn) drawn += lanes;
     }
     for (int l = 0; l < b->lanes; l++) {
@@ -599,21 +510,13 @@ static void block_eliminate(line_block *b)
 static void block_substitute(line_block *b)
 {
     real pull[3 * LANES] = { 0 }, far[LANES] = { 0 };
-    int apart = (int)(b->hold.y - b->hold.x), pitch = b->pitch;
     for (int k = b->s.particles - 1; k >= 0; k--) {
-        places at = places_from(b->at, k * pitch);
-        bool is_held = b->held && b->held[k];
-        const real *hold = b->hold.x + k * pitch;
+        places at = places_from(b->at, k * b->pitch);
         real *here = row_at(b, k - 1), *after = row_at(b, k);
-        if (b->old)
-            substitute(at.x, at.y, at.z, at.weight, hold, apart, here, after, 1, 1,
-                       is_held, pull, far);
-        else if (b->lanes == 1)
-            substitute(at.x, at.y, at.z, at.weight, hold, apart, here, after, 1, 0,
-                       is_held, pull, far);
+        if (b->lanes == 1)
+            substitute(at.x, at.y, at.z, at.weight, here, after, 1, b->old, pull, far);
         else
-            substitute_eight(at.x, at.y, at.z, at.weight, hold, apart, here, after,
-                             is_held, pull, far);
+            substitute_eight(at.x, at.y, at.z, at.weight, here, after, pull, far);
     }
     for (int l = 0; l < b->lanes && b->old; l++) b->t.far[l] = 0;
     for (int l = 0; l < b->lanes; l++) b->t.far[l] += far[l];
@@ -634,9 +537,7 @@ static vec3 move_of(const line_block *b, int k, int l)
     vec3 up = vec3_scale(after[solved], lane_get(after, PUSH, b->lanes, l));
     vec3 down = vec3_scale(here[solved], lane_get(here, PUSH, b->lanes, l));
     int i = k * b->pitch + l;
-    vec3 m = b->held && b->held[k] ? place_get(b->hold, i)
-                                   : (vec3){ 0, 0, 0 };
-    return give_way(b->at.weight[i], vec3_sub(up, down), m);
+    return vec3_scale(b->at.weight[i], vec3_sub(up, down));
 }
 
 // m^2, the sum of what was wrong.  Along the new links it was not counted:
@@ -888,71 +789,26 @@ real shape_width(const shape *s, int direction)
 //<
 
 //> line-hold
-//>   What is held is marked before the first iteration. Afterwards the pulls are
-//>   read off the moves.
-// Marks particle i in its blocks.  The last one may share lines with the one
-// before it.
-static void mark(const shape *s, line_scratch *scratch, int i)
+//>   What touches something is heavy before the first iteration. Afterwards the
+//>   pulls are read off the moves.
+static void hold_begin(const shape *s, line_scratch *scratch, const line_hold *hold)
 {
-    for (int d = 0; d < shape_directions(s); d++) {
-        strands x = shape_strands(s, d);
-        int line = i / x.across % x.lines, k = i / x.along % x.particles;
-        int last = block_number(x, x.lines - 1);
-        scratch->held[d][block_number(x, line) * x.particles + k] = 1;
-        if (line >= x.lines - lanes_for(x))
-            scratch->held[d][last * x.particles + k] = 1;
-    }
-    scratch->is_held = true;
+    for (int i = 0; i < s->particles; i++)
+        scratch->now.weight[i] *= hold_share(&hold[i]);
 }
 
-// m.  What friction holds the strands draw by a share all the same.  It is taken back
-// before they do, so that a pull that lasts moves nothing.
-static vec3 taken_back(const line_hold *h)
-{
-    vec3 along = vec3_add_scaled(h->pull, -vec3_dot(h->pull, h->normal), h->normal);
-    return vec3_scale(GIVE_SHARE * h->held, along);
-}
-
-static void hold_begin(const shape *s, line_scratch *scratch,
-                       const line_hold *hold)
-{
-    for (int i = 0; i < s->particles; i++) {
-        real *weight = &scratch->now.weight[i], fraction = hold_share(&hold[i]);
-        if (hold[i].state < LINE_TOUCHES) continue;
-        real more = (fraction - GIVE_SHARE) * *weight;
-        *weight *= fraction;
-        place_set(scratch->now, i, vec3_sub(place_get(scratch->now, i),
-                                            taken_back(&hold[i])));
-        if (!(more > 0)) continue;
-        place_set(scratch->hold, i, vec3_scale(sqrt(more), hold[i].normal));
-        mark(s, scratch, i);
-    }
-}
-
-static void remember_pull(line_hold *h, vec3 d)
-{
-    h->pull = vec3_scale(0.5, vec3_add(h->pull, d));
-}
-
-// p: as they were before.
-static void hold_end(const shape *s, line_scratch *scratch, const particle *p,
+// p: as they were before.  A free particle would have been moved by the move divided by
+// its share.  Of that so much is remembered that nothing overshoots: what is given in
+// advance moves the strands, too.
+static void hold_end(const shape *s, const line_scratch *scratch, const particle *p,
                      line_hold *hold)
 {
     for (int i = 0; i < s->particles; i++) {
-        if (hold[i].state == LINE_FREE) continue;
-        if (hold[i].state == LINE_MEETS) {
-            remember_pull(&hold[i], vec3_sub(place_get(scratch->now, i),
-                                             p[i].position));
-            continue;
-        }
-        place_set(scratch->hold, i, (vec3){ 0, 0, 0 });
-        vec3 from = vec3_sub(p[i].position, taken_back(&hold[i]));
-        vec3 d = vec3_sub(place_get(scratch->now, i), from);
-        real into = real_min(vec3_dot(d, hold[i].normal), 0);
-        real more = 1 / hold_share(&hold[i]);
-        d = vec3_add_scaled(vec3_scale(more, d), into * (1 / GIVE_SHARE - more),
-                            hold[i].normal);
-        remember_pull(&hold[i], d);
+        line_hold *h = &hold[i];
+        vec3 d = vec3_sub(place_get(scratch->now, i), p[i].position);
+        real newer = real_min(hold_share(h), 0.5);
+        d = vec3_scale(newer / hold_share(h), d);
+        h->pull = vec3_add_scaled(d, 1 - newer, h->pull);
     }
 }
 //<
@@ -1040,25 +896,9 @@ static void step_string(const shape *s, const line_scratch *scratch, int d,
                          * vec3_length(lane_link(at, x.along, k * x.along));
 }
 
-// As the links do, a string moves what slides by only a share into what it
-// touches.
-static void hold_strings(const shape *s, const line_scratch *scratch,
-                         const particle *p, const line_hold *hold)
-{
-    for (int i = 0; i < s->particles; i++) {
-        if (hold[i].state != LINE_TOUCHES) continue;
-        vec3 at = place_get(scratch->now, i);
-        real into = vec3_dot(vec3_sub(at, p[i].position), hold[i].normal);
-        if (into < 0)
-            place_set(scratch->now, i, vec3_add_scaled(
-                at, (GIVE_SHARE - 1) * into, hold[i].normal));
-    }
-}
-
 static void step_strings(const shape *s, const line_scratch *scratch,
                          const particle *p, const line_hold *hold)
 {
-    bool is_any = false;
     if (!(scratch->lightest > 0)) return;
     real most = taut_most(scratch->lightest, shape_directions(s));
     for (int d = 0; d < shape_directions(s); d++) {
@@ -1066,10 +906,8 @@ static void step_strings(const shape *s, const line_scratch *scratch,
         for (int line = 0; line < x.lines; line++) {
             if (!may_be_taut(x, d, hold + line * x.across, most)) continue;
             step_string(s, scratch, d, line, p, hold);
-            is_any = true;
         }
     }
-    if (is_any) hold_strings(s, scratch, p, hold);
 }
 
 static void remember_strings(const shape *s, const line_scratch *scratch,
@@ -1099,8 +937,8 @@ line_result line_solve(strands s, particle *p, int steps,
     line_result r = { .worst = 0 };
     int last = (s.lines - 1) * s.across + (s.particles - 1) * s.along;
     gather_all(scratch, p, last + 1, options);
-    solve_lines((line_block){ .s = s, .scratch = scratch, .more = 1, .direction = -1 }, p,
-                steps, options, &r);
+    solve_lines((line_block){ .s = s, .scratch = scratch, .more = 1 }, p, steps,
+                options, &r);
     scatter_line(scratch->now, p, last + 1);
     return r;
 }

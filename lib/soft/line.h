@@ -23,10 +23,6 @@ typedef struct {
     real rest_length;           // m
 } strands;
 
-// A particle that touches something that does not move, or two in a corner.  Into
-// it, and to all sides if it is held, it gives way by this share of what it would.
-static const real GIVE_SHARE = 0.3;         // tuned, 1
-
 // It is free; it meets what moves, and is as free, but its pull is remembered; or it
 // touches what does not move.
 typedef enum { LINE_FREE, LINE_MEETS, LINE_TOUCHES, LINE_CORNERED } line_state;
@@ -34,16 +30,18 @@ typedef enum { LINE_FREE, LINE_MEETS, LINE_TOUCHES, LINE_CORNERED } line_state;
 typedef struct {
     line_state state;
     vec3 normal;        // unit, out of what it touches
-    real held;          // 0 to 1: how much of a move along it friction holds
     vec3 pull;          // m, how far the strands would have moved it, free: a mean
     real push[2];       // kg m, T h^2 of the links that begin at it, one in
                         // each direction, in the last substep; or 0
 } line_hold;
 
-// By this share of what it would a particle gives way along what it touches.
+// What touches something that does not move gives way to the strands by this share of
+// what a free particle would, as if it were heavier.
+static const real GIVE_SHARE = 0.3;         // tuned, 1
+
 static inline real hold_share(const line_hold *h)
 {
-    return 1 - (1 - GIVE_SHARE) * h->held;
+    return h->state < LINE_TOUCHES ? 1 : GIVE_SHARE;
 }
 
 // Memory for lines: one for each thread that solves.
@@ -114,8 +112,8 @@ line_result line_solve(strands s, particle *p, int steps,
 // eight lines of a cloth is left out if all of them are good, measured as if threads
 // did not give.
 // (A lost line goes back to where it was before them all.)
-// hold: [particles], or NULL: nothing is touched; writes the pull of all that
-// are not LINE_FREE, and the pushes of ropes and of strands that give.  A strand
+// hold: [particles], or NULL: nothing is touched; writes the pull of each, and the
+// pushes of ropes and of strands that give.  A strand
 // that pushed too hard for an explicit step is stepped as a string first
 // (taut.h).
 // give: compliance / h^2 in a substep of h (s).  0: the links keep their

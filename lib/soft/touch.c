@@ -83,11 +83,10 @@ static void note_old(const soft_frame *f, int soft, real old, real apart)
     if (is_deep && f->sunk[soft] != SUNK_NOT) f->sunk[soft] = SUNK;
 }
 
-// m, how far the strands will draw a particle, as they did before: of what friction
-// holds on something fixed, not at all.
+// m, how far the strands will draw a particle, as they did before.
 static vec3 hold_drawn(const line_hold *h)
 {
-    return vec3_scale(h->state < LINE_TOUCHES ? 1 : 1 - h->held, h->pull);
+    return vec3_scale(hold_share(h), h->pull);
 }
 
 static vec3 point_drawn(const soft_touch *x)
@@ -240,15 +239,13 @@ static vec3 along_side(vec3 delta, vec3 normal)
 }
 
 // Coulomb: friction takes back how far the particle went, and how far the strands
-// will draw it, as they did before; but of both no more than its share of the load.
-// The second part is taken back where they draw it (line.c).
-static void slide_particle(particle *p, line_hold *hold, real most)
+// will draw it; but of both no more than its share of the load.
+static void slide_particle(particle *p, const line_hold *hold, real most)
 {
-    vec3 went = along_side(vec3_sub(p->position, p->previous), hold->normal);
-    vec3 drawn = along_side(hold->pull, hold->normal);
-    real far = vec3_length(vec3_add(went, drawn));
-    hold->held = far > most ? most / far : 1;
-    p->position = vec3_add_scaled(p->position, -hold->held, went);
+    vec3 went = vec3_add(vec3_sub(p->position, p->previous), hold_drawn(hold));
+    went = along_side(went, hold->normal);
+    real far = vec3_length(went);
+    p->position = vec3_add_scaled(p->position, far > most ? -most / far : -1, went);
 }
 
 // Every particle bounces for itself, if it strikes fast: it came by `came` (m)
@@ -278,33 +275,32 @@ static bool is_one_side(vec3 a, vec3 b)
     return vec3_length(along_side(a, b)) < vec3_dot(a, b);
 }
 
-// A particle leaves what does not move by the shortest way.  Its diagonals may
-// have lifted it off; if the strands will press it on, it goes back, for what
-// counts is the sum of both.  They will find it held; where two things do, they
-// hold it to all sides.
+// A particle leaves what does not move by the shortest way.  The strands will find it
+// heavy.  By what they will move it too little along the surface for that, it is moved
+// in advance.
 static bool touch_fixed(const soft_frame *f, int i, surface_point at,
                         real apart, material m)
 {
     particle *p = &f->particle[i];
     line_hold *hold = &f->hold[i];
     real depth = apart - vec3_dot(vec3_sub(p->position, at.at), at.normal);
-    real pressed = depth + pressed_into(hold, at.normal);
-    if (!(pressed > 0) || !(pressed < HUGE_VAL)) return false;
+    if (!(depth > 0) || !(depth < HUGE_VAL)) return false;
     if (p->inverse_mass == 0) return true;
     real came = vec3_dot(vec3_sub(p->previous, p->position), at.normal);
-    note_old(f, f->owner[i], pressed - came - 2 * pressed_into(hold, at.normal),
-             apart);
+    note_old(f, f->owner[i], depth - came, apart);
     // The load stops what came, and bears what presses: the strands, which have
     // drawn a share of that already, or a body, which has pushed it as deep.
     real load = real_max(came - vec3_dot(hold->pull, at.normal),
-                         pressed - GIVE_SHARE * pressed_into(hold, at.normal));
+                         depth + (1 - GIVE_SHARE) * pressed_into(hold, at.normal));
     p->position = vec3_add_scaled(p->position, depth, at.normal);
     bool is_held = hold->state >= LINE_TOUCHES;
     if (is_held && is_one_side(at.normal, hold->normal)) return true;
     hold->normal = at.normal;
     hold->state = is_held ? LINE_CORNERED : LINE_TOUCHES;
+    if (!is_held)
+        p->position = vec3_add_scaled(p->position, 1 - GIVE_SHARE,
+                                      along_side(hold->pull, at.normal));
     slide_particle(p, hold, m.friction * real_max(load, 0));
-    if (is_held) hold->held = 1;
     if (bounce_off(f, p, at.normal, came, m.restitution))
         hold->state = LINE_FREE;
     return true;
@@ -357,11 +353,8 @@ static bool touch_body(const rigid_view *v, const soft_frame *f,
     particle *p = &f->particle[pair.particle];
     surface_point at;
     const body *rigid = &f->body[pair.rigid];
-    bool is_fixed = body_is_fixed(rigid);
-    real reach = apart;
-    if (is_fixed) reach += vec3_length(f->hold[pair.particle].pull);
-    if (!nearest_outside(&v->hull, p->position, &pair, reach, &at)) return false;
-    if (is_fixed) return touch_fixed(f, pair.particle, at, apart, m);
+    if (!nearest_outside(&v->hull, p->position, &pair, apart, &at)) return false;
+    if (body_is_fixed(rigid)) return touch_fixed(f, pair.particle, at, apart, m);
     soft_touch x = { f, v, &f->body[pair.soft], body_whole(rigid, pair.rigid), 1,
                 { pair.particle }, { 1 }, at, apart, m.friction, false };
     if (!(held_against(&x, pair.particle) > 0))
@@ -559,7 +552,7 @@ static bool touch_plane(const soft_frame *f, int i, plane wall, real apart,
     vec3 x = f->particle[i].position;
     real up = plane_height(wall, x);
     // Most are far above it.  What is no number is not, and is asked.
-    if (up > apart + pressed_into(&f->hold[i], wall.normal)) return false;
+    if (up > apart) return false;
     vec3 foot = vec3_add_scaled(x, -up, wall.normal);
     return touch_fixed(f, i, (surface_point){ foot, wall.normal }, apart, m);
 }

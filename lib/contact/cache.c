@@ -36,7 +36,8 @@ void cache_update(contact_cache *c, const cache_frame *f)
 //<
 
 //> cache-follow
-//>   The list of pairs is sorted, so one walk hands on what is kept.
+//>   The list of pairs is sorted, so what is kept goes to its new place in two walks,
+//>   without a second list.
 static void release_pair(contact_cache *c, cache_pair *p)
 {
     if (p->entry < 0) return;
@@ -55,35 +56,47 @@ static int compare_pairs(const int a[2], const int b[2])
     return is_wall ? -order : order;
 }
 
-static bool grow_spare(cache_list *l, int need)
+static bool grow_list(cache_list *l, int need)
 {
-    return TABLE_RENEW(l->spare, l->spare_capacity, need);
+    int room = need + need / 8 + 4;
+    bool ok = true;
+    if (need <= l->capacity) return true;
+    TABLE_GROW(ok, l->pair, l->count, room);
+    if (ok) l->capacity = room;
+    return ok;
 }
 
-static void swap_spare(cache_list *l, int count)
+// What was kept of pairs that are listed no more is let go.
+static void drop_unlisted(contact_cache *c, cache_list *l, const pair_list *list)
 {
-    *l = (cache_list){ l->spare, count, l->spare_capacity, l->pair, l->capacity };
+    int count = list->count + list->walls, now = 0, kept = 0;
+    for (int k = 0; k < l->count; k++) {
+        cache_pair *p = &l->pair[k];
+        while (now < count && compare_pairs(list->pair[now], p->key) < 0) now++;
+        if (now < count && compare_pairs(list->pair[now], p->key) == 0)
+            l->pair[kept++] = *p;
+        else release_pair(c, p);
+    }
+    l->count = kept;
 }
 
-// Both lists are sorted: one walk along them hands each pair what was kept of
-// it, and lets go of what belongs to pairs that are listed no more.
+// The rest moves to its places from the end on, and new pairs come in between.
 static void follow_list(contact_cache *c, cache_list *l, const pair_list *list)
 {
-    int count = list->count + list->walls;
-    int n = grow_spare(l, count) ? count : 0, old = 0;
-    c->lost += count - n;
-    for (int k = 0; k < n; k++) {
-        const int *now = list->pair[k];
-        while (old < l->count && compare_pairs(l->pair[old].key, now) < 0)
-            release_pair(c, &l->pair[old++]);
-        bool is_known = old < l->count
-                     && compare_pairs(l->pair[old].key, now) == 0;
-        l->spare[k] = is_known ? l->pair[old++]
-                    : (cache_pair){ .key = { now[0], now[1] }, .entry = -1, .was = -1,
-                                    .seen = { -1, -1 } };
+    drop_unlisted(c, l, list);
+    int count = list->count + list->walls, old = l->count - 1;
+    if (!grow_list(l, count)) {
+        c->lost += count - l->count;
+        return;
     }
-    while (old < l->count) release_pair(c, &l->pair[old++]);
-    swap_spare(l, n);
+    l->count = count;
+    for (int k = count - 1; k > old; k--) {
+        const int *now = list->pair[k];
+        bool is_known = old >= 0 && compare_pairs(l->pair[old].key, now) == 0;
+        l->pair[k] = is_known ? l->pair[old--]
+                   : (cache_pair){ .key = { now[0], now[1] }, .entry = -1, .was = -1,
+                                   .seen = { -1, -1 } };
+    }
 }
 
 static bool is_of_other(const cache_list *l, int k, const cache_list *other,
@@ -100,22 +113,23 @@ const cache_pair *cache_next(const cache_list *l, int *k,
                                          : &l->pair[(*k)++];
 }
 
-// Two sorted lists become one: what was kept of bodies that lie still is there
-// for those that have woken.
+// Two sorted lists become one, from the end on: what was kept of bodies that lie
+// still is there for those that have woken.
 static void take_back_pairs(contact_cache *c, cache_list *l, cache_list *still)
 {
-    int all = l->count + still->count;
-    if (still->count == 0) return;
-    if (!grow_spare(l, all)) {
-        c->lost += still->count;
-        for (int k = 0; k < still->count; k++) release_pair(c, &still->pair[k]);
-        still->count = 0;
+    int all = l->count + still->count, i = l->count - 1, j = still->count - 1;
+    still->count = 0;
+    if (!grow_list(l, all)) {
+        c->lost += j + 1;
+        for (; j >= 0; j--) release_pair(c, &still->pair[j]);
         return;
     }
-    for (int k = 0, i = 0, j = 0; k < all; k++)
-        l->spare[k] = *cache_next(l, &i, still, &j);
-    swap_spare(l, all);
-    still->count = 0;
+    l->count = all;
+    for (int k = all - 1; j >= 0; k--) {
+        bool is_old = i >= 0
+                   && compare_pairs(still->pair[j].key, l->pair[i].key) < 0;
+        l->pair[k] = is_old ? l->pair[i--] : still->pair[j--];
+    }
 }
 
 // And pairs of which nothing is loose leave the list, with what is kept of them.
@@ -125,19 +139,17 @@ static void set_aside(contact_cache *c, cache_list *l, cache_list *still,
     int left = 0, aside = 0;
     for (int k = 0; k < l->count; k++)
         aside += pair_is_settled(list, l->pair[k].key);
-    if (!grow_spare(still, aside)) {
+    if (!grow_list(still, aside)) {
         c->lost += aside;
         return;
     }
-    aside = 0;
     for (int k = 0; k < l->count; k++) {
         cache_pair *p = &l->pair[k];
         bool is_still = pair_is_settled(list, p->key);
         p->is_active &= !is_still;
-        *(is_still ? &still->spare[aside++] : &l->pair[left++]) = *p;
+        *(is_still ? &still->pair[still->count++] : &l->pair[left++]) = *p;
     }
     l->count = left;
-    swap_spare(still, aside);
 }
 
 static void follow_lists(contact_cache *c, const cache_frame *f)
@@ -749,10 +761,7 @@ status cache_add(contact_cache *c, int b, int vertices)
 void cache_free(contact_cache *c)
 {
     cache_list *list[] = { &c->pairs, &c->still };
-    for (int k = 0; k < 2; k++) {
-        free(list[k]->pair);
-        free(list[k]->spare);
-    }
+    for (int k = 0; k < 2; k++) free(list[k]->pair);
 #define FREE(table, kept, room) free(c->table);
     CACHE_TABLES(FREE, FREE, c)
 #undef FREE

@@ -78,8 +78,6 @@ typedef struct {
 typedef struct {
     cache_pair *pair;   // [count], as in the list
     int count, capacity;
-    cache_pair *spare;          // [spare_capacity] for the next list
-    int spare_capacity;
 } cache_list;
 
 typedef struct {

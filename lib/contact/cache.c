@@ -1,5 +1,5 @@
 //> cache-update
-//>   An update has seven rounds, which the next pieces of code take in turn.
+//>   An update has six rounds, which the next pieces of code take in turn.
 #include "cache.h"
 #include "cylinder.h"
 #include "seams.h"
@@ -12,24 +12,24 @@
 static void follow_lists(contact_cache *c, const cache_frame *f);
 static void place_chunk(void *data, int item);
 static void decide_chunk(void *data, int item);
-static void make_entries(contact_cache *c, const cache_frame *f);
-static void query_chunk(void *data, int item);
+static void ask_batch(contact_cache *c, const cache_frame *f, int first);
 static void gather_active(contact_cache *c, const cache_frame *f);
+
+// So many pairs are asked at once: many for threads, few for memory.
+enum { BATCH = 32 * TASK_CHUNK };
 
 void cache_update(contact_cache *c, const cache_frame *f)
 {
-    cache_work u = { c, f };
-    c->lost = 0;
+    cache_work u = { c, f, 0 };
+    c->lost = c->olds = 0;
     c->queries = 0;
     // (Memory for them may have been refused in the last frame.)
     if (f->is_new_list || c->pairs.count != f->list->count + f->list->walls)
         follow_lists(c, f);
-    int items = task_chunks(c->pairs.count);
     tasks_run(f->run, place_chunk, &u, task_chunks(f->awakes));
     c->updates++;
-    tasks_run(f->run, decide_chunk, &u, items);
-    make_entries(c, f);
-    tasks_run(f->run, query_chunk, &u, items);
+    tasks_run(f->run, decide_chunk, &u, task_chunks(c->pairs.count));
+    for (int k = 0; k < c->pairs.count; k += BATCH) ask_batch(c, f, k);
     seams_correct(c, f);
     gather_active(c, f);
 }
@@ -56,6 +56,11 @@ static int compare_pairs(const int a[2], const int b[2])
     return is_wall ? -order : order;
 }
 
+static bool is_pair_of(const cache_pair *p, const int key[2])
+{
+    return p->key[0] == key[0] && p->key[1] == key[1];
+}
+
 static bool grow_list(cache_list *l, int need)
 {
     int room = need + need / 8 + 4;
@@ -73,9 +78,8 @@ static void drop_unlisted(contact_cache *c, cache_list *l, const pair_list *list
     for (int k = 0; k < l->count; k++) {
         cache_pair *p = &l->pair[k];
         while (now < count && compare_pairs(list->pair[now], p->key) < 0) now++;
-        if (now < count && compare_pairs(list->pair[now], p->key) == 0)
-            l->pair[kept++] = *p;
-        else release_pair(c, p);
+        if (now == count || !is_pair_of(p, list->pair[now])) release_pair(c, p);
+        else if (kept++ < k) l->pair[kept - 1] = *p;
     }
     l->count = kept;
 }
@@ -92,7 +96,7 @@ static void follow_list(contact_cache *c, cache_list *l, const pair_list *list)
     l->count = count;
     for (int k = count - 1; k > old; k--) {
         const int *now = list->pair[k];
-        bool is_known = old >= 0 && compare_pairs(l->pair[old].key, now) == 0;
+        bool is_known = old >= 0 && is_pair_of(&l->pair[old], now);
         l->pair[k] = is_known ? l->pair[old--]
                    : (cache_pair){ .key = { now[0], now[1] }, .entry = -1, .was = -1,
                                    .seen = { -1, -1 } };
@@ -321,7 +325,8 @@ static void place_chunk(void *data, int item)
 //<
 
 //> cache-entries
-//>   One thread hands out entries for the answers, in the order of the pairs.
+//>   One thread hands out entries for the answers, in the order of the pairs, and takes
+//>   those back that have no points: most pairs of a heap are near, and do not touch.
 // An entry for whatever is asked: -1 where memory is refused.
 static int new_entry(contact_cache *c)
 {
@@ -338,7 +343,6 @@ static int new_entry(contact_cache *c)
         }
         k = c->entries++;
     }
-    c->entry[k] = (cache_entry){ .next = -1 };
     return k;
 }
 
@@ -375,12 +379,21 @@ static void make_old(contact_cache *c, const cache_frame *f, cache_pair *p)
         p->was = c->olds++;
 }
 
-static void make_entries(contact_cache *c, const cache_frame *f)
+static void make_entries(contact_cache *c, const cache_frame *f, int first, int end)
 {
-    c->olds = 0;
-    for (int k = 0; k < c->pairs.count; k++) {
+    for (int k = first; k < end; k++) {
         make_old(c, f, &c->pairs.pair[k]);
         make_entry(c, f, &c->pairs.pair[k]);
+    }
+}
+
+// What has no points needs no entry, unless seams still ask what it was.
+static void give_back_entries(contact_cache *c, int first, int end)
+{
+    for (int k = first; k < end; k++) {
+        cache_pair *p = &c->pairs.pair[k];
+        if (p->count == 0 && !p->passes && !p->is_merged && p->was < 0)
+            release_pair(c, p);
     }
 }
 //<
@@ -544,16 +557,15 @@ static void date(const contact_cache *c, const cache_frame *f, cache_pair *p,
 }
 
 static void query_bodies(contact_cache *c, const cache_frame *f, cache_pair *p,
-                         cache_entry *e)
+                         contact *now)
 {
-    contact *now = &e->contact;
     int a = now->piece_a, b = now->piece_b;
     collider x = cache_collider(c, f, a), y = cache_collider(c, f, b);
     swept_status swept = SWEPT_OVERLAP;
     now->count = 0;
-    now->is_ahead = false;
+    now->is_ahead = now->is_floor = false;
     // (What was out of reach is as if it had not been listed.)
-    if (p->seen[0] < 0) e->carried.count = 0;
+    if (p->seen[0] < 0) p->carried.count = 0;
     p->seen[0] = p->seen[1] = -1;
     bool may_pass = flies(f, a, b);
     if (may_pass || turns(f, a, b)) swept = query_swept(now, f);
@@ -561,7 +573,7 @@ static void query_bodies(contact_cache *c, const cache_frame *f, cache_pair *p,
     if (swept == SWEPT_TOUCHES || p->passes) return;
     real slack = slack_of(c, f, a, b), reach = pair_reach(f, a, b);
     manifold m;
-    bool is_ahead = query_ahead(f, now, x, y, 2 * slack, &e->carried, &reach,
+    bool is_ahead = query_ahead(f, now, x, y, 2 * slack, &p->carried, &reach,
                                 &m);
     cache_take(now, &m, f, is_ahead);
     date(c, f, p, a, b, reach);
@@ -585,13 +597,13 @@ static void query_plane_pair(contact_cache *c, const cache_frame *f, cache_pair 
 
 static void query_pair(contact_cache *c, const cache_frame *f, cache_pair *p)
 {
-    cache_entry *e = &c->entry[p->entry];
-    contact own, *now = &e->contact, *was = p->was >= 0 ? &c->was[p->was] : &own;
+    contact own, *now = &c->entry[p->entry].contact;
+    contact *was = p->was >= 0 ? &c->was[p->was] : &own;
     bool bequeaths = p->count > 0;
     if (bequeaths) *was = *now;
     p->near = -HUGE_VAL;
     if (now->piece_b < 0) query_plane_pair(c, f, p, now);
-    else                  query_bodies(c, f, p, e);
+    else                  query_bodies(c, f, p, now);
     p->count = (signed char)now->count;
     p->is_merged = false;
     if (bequeaths) contact_inherit(now, was);
@@ -626,14 +638,24 @@ static void query_chunk(void *data, int item)
 {
     const cache_work *u = data;
     const cache_list *l = &u->c->pairs;
-    int end = task_end(item, l->count);
-    for (int k = task_first(item); k < end; k++) {
+    int first = u->first + task_first(item);
+    int end = int_min(first + TASK_CHUNK, l->count);
+    for (int k = first; k < end; k++) {
         cache_pair *p = &l->pair[k];
         if (k + 1 < end && p[1].is_asked)
             contact_expect(&u->c->entry[p[1].entry].contact);
         if (p->is_asked) query_pair(u->c, u->f, p);
         activate_pair(u->c, u->f, p);
     }
+}
+
+static void ask_batch(contact_cache *c, const cache_frame *f, int first)
+{
+    cache_work u = { c, f, first };
+    int end = int_min(first + BATCH, c->pairs.count);
+    make_entries(c, f, first, end);
+    tasks_run(f->run, query_chunk, &u, task_chunks(end - first));
+    give_back_entries(c, first, end);
 }
 //<
 

@@ -765,19 +765,16 @@ static bool make_cache_room(contact_cache *c, int bodies, int vertices)
     return ok;
 }
 
-status cache_add(contact_cache *c, int b, int vertices)
+bool cache_add(contact_cache *c, int b, int vertices)
 {
     bool has_room = b < c->room && vertices <= c->placing[b].vertices;
     int more = has_room ? 0 : vertices;
-    if (!make_cache_room(c, b + 1, c->vertices + more))
-        return status_out_of_memory();
+    if (!make_cache_room(c, b + 1, c->vertices + more)) return false;
     struct placing *p = &c->placing[b];
-    *p = (struct placing){ .first = p->first, .vertices = p->vertices };
-    if (has_room) return status_ok();
-    p->first = c->vertices;
-    p->vertices = vertices;
-    c->vertices += vertices;
-    return status_ok();
+    *p = has_room ? (struct placing){ .first = p->first, .vertices = p->vertices }
+                  : (struct placing){ .first = c->vertices, .vertices = vertices };
+    c->vertices += more;
+    return true;
 }
 
 void cache_free(contact_cache *c)

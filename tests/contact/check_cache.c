@@ -141,14 +141,14 @@ static void list_plane_pairs(void)
         }
 }
 
-// For bodies as given (their shapes).  Fails, leaving *c empty.
-static status fill(contact_cache *c)
+// For bodies as given (their shapes).  False, leaving *c empty, without memory.
+static bool fill(contact_cache *c)
 {
     *c = (contact_cache){ .free_entry = -1 };
-    status done = status_ok();
-    for (int b = 0; b < bodies && done.ok; b++)
+    bool done = true;
+    for (int b = 0; b < bodies && done; b++)
         done = cache_add(c, b, of[b].rigid ? of[b].shape->particles : 0);
-    if (!done.ok) cache_free(c);
+    if (!done) cache_free(c);
     return done;
 }
 
@@ -156,7 +156,7 @@ static void begin(void)
 {
     cache_free(&cache);
     frame.awakes = bodies;
-    ck_assert(fill(&cache).ok);
+    ck_assert(fill(&cache));
 }
 
 static void turn_none(void)
@@ -694,7 +694,7 @@ START_TEST(kept_contacts_are_those_that_would_be_found)
     seed = 3;
     add_heap();
     begin();
-    ck_assert(fill(&fresh).ok);
+    ck_assert(fill(&fresh));
     for (int f = 0; f < FRAMES; f++) {
         turn_none();
         cache_update(&cache, &frame);
@@ -835,9 +835,8 @@ START_TEST(refused_memory_leaves_nothing)
     for (; !ok; n++) {
         long before = blocks_held;
         mallocs_left = n;
-        status done = fill(&cache);
+        ok = fill(&cache);
         mallocs_left = INT_MAX;
-        ok = done.ok;
         long held = blocks_held;
         if (!ok) ck_assert_int_eq(held, before);
     }

@@ -178,7 +178,7 @@ static void add(cost *sum, cost c)
 static void run(int scenes, int n, vec3 box, int frames, cost *sum)
 {
     for (int k = 0; k < scenes; k++)
-        if (!broad_grow(&state[k], n).ok) exit(1);
+        if (!broad_grow(&state[k], n)) exit(1);
     for (int k = 0; k < scenes * n; k++) line[k] = k;
     frame(scenes, n);
     for (int k = 0; k < frames; k++) {

@@ -40,7 +40,7 @@ static void begin(void)
     ball[0].center = vec3_make(0.1, 0.05, 0);
     velocity[0] = vec3_scale(0.3, velocity[0]);
     frame = 0;
-    if (!broad_grow(&state, balls).ok) balls = 0;
+    if (!broad_grow(&state, balls)) balls = 0;
 }
 
 // --- Frames -----------------------------------------------------------------------

@@ -9,24 +9,19 @@
 #include <stdlib.h>
 #include <string.h>
 
-static bool grow_order(broad *s, int bodies)
+bool broad_grow(broad *s, int bodies)
 {
     int n = table_room(bodies, s->room);
     bool ok = true;
-    if (s->place && bodies <= s->room) return true;
-#define GROW(table, kept, room) TABLE_GROW(ok, s->table, kept, room);
-    BROAD_TABLES(GROW, s, n)
-#undef GROW
-    if (ok) s->room = n;
-    return ok;
-}
-
-status broad_grow(broad *s, int bodies)
-{
     assert(bodies >= 0);
-    if (!grow_order(s, bodies)) return status_out_of_memory();
-    for (; s->bodies < bodies; s->bodies++) s->place[s->bodies] = -1;
-    return status_ok();
+    if (!s->place || n > s->room) {
+#define GROW(table, kept, room) TABLE_GROW(ok, s->table, kept, room);
+        BROAD_TABLES(GROW, s, n)
+#undef GROW
+        if (ok) s->room = n;
+    }
+    for (; ok && s->bodies < bodies; s->bodies++) s->place[s->bodies] = -1;
+    return ok;
 }
 
 void broad_free(broad *s)

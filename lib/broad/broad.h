@@ -32,8 +32,8 @@ typedef struct broad {
 //>   Two functions give the same answer in different times, so that one can
 //>   test the other.
 // Makes room for so many bodies, >= 0, if there is less; a zeroed one has room for
-// none.  Fails, changing nothing, if memory is refused.
-status broad_grow(broad *s, int bodies);
+// none.  False, changing nothing, if memory is refused.
+bool   broad_grow(broad *s, int bodies);
 void   broad_free(broad *s);            // an empty or zeroed one is fine
 
 // Builds the tree of these spheres, and writes to `out` the pairs (a, b), a < b, that

@@ -290,13 +290,11 @@ static bool make_pair_room(pair_list *l, int bodies)
     return ok;
 }
 
-status pair_list_grow(pair_list *l, int bodies)
+bool pair_list_grow(pair_list *l, int bodies)
 {
-    if (!make_pair_room(l, bodies)) return status_out_of_memory();
-    status done = broad_grow(&l->broad, bodies);
-    for (; done.ok && l->bodies < bodies; l->bodies++)
-        pair_list_renew(l, l->bodies);
-    return done;
+    bool ok = make_pair_room(l, bodies) && broad_grow(&l->broad, bodies);
+    for (; ok && l->bodies < bodies; l->bodies++) pair_list_renew(l, l->bodies);
+    return ok;
 }
 
 void pair_list_free(pair_list *l)

@@ -68,8 +68,8 @@ typedef struct {
 //>   One function answers. It says whether the list is a new one, because
 //>   tables that go along with the pairs must follow it.
 // Makes room for so many bodies, if there is less; a zeroed list has room for none.
-// Fails, changing nothing, if memory is refused.
-status pair_list_grow(pair_list *l, int bodies);
+// False, changing nothing, if memory is refused.
+bool   pair_list_grow(pair_list *l, int bodies);
 void   pair_list_free(pair_list *l);    // an empty or zeroed one is fine
 
 // Finds the pairs of body b again in the next frame, because it came, went, was put

@@ -1,5 +1,5 @@
 //> cache-update
-//>   An update has seven rounds, which the next pieces of code take in turn.
+//>   An update has six rounds, which the next pieces of code take in turn.
 #include "cache.h"
 #include "cylinder.h"
 #include "seams.h"
@@ -12,31 +12,32 @@
 static void follow_lists(contact_cache *c, const cache_frame *f);
 static void place_chunk(void *data, int item);
 static void decide_chunk(void *data, int item);
-static void make_entries(contact_cache *c, const cache_frame *f);
-static void query_chunk(void *data, int item);
+static void ask_batch(contact_cache *c, const cache_frame *f, int first);
 static void gather_active(contact_cache *c, const cache_frame *f);
+
+// So many pairs are asked at once: many for threads, few for memory.
+enum { BATCH = 32 * TASK_CHUNK };
 
 void cache_update(contact_cache *c, const cache_frame *f)
 {
-    cache_work u = { c, f };
-    c->lost = 0;
+    cache_work u = { c, f, 0 };
+    c->lost = c->olds = 0;
     c->queries = 0;
     // (Memory for them may have been refused in the last frame.)
     if (f->is_new_list || c->pairs.count != f->list->count + f->list->walls)
         follow_lists(c, f);
-    int items = task_chunks(c->pairs.count);
     tasks_run(f->run, place_chunk, &u, task_chunks(f->awakes));
     c->updates++;
-    tasks_run(f->run, decide_chunk, &u, items);
-    make_entries(c, f);
-    tasks_run(f->run, query_chunk, &u, items);
+    tasks_run(f->run, decide_chunk, &u, task_chunks(c->pairs.count));
+    for (int k = 0; k < c->pairs.count; k += BATCH) ask_batch(c, f, k);
     seams_correct(c, f);
     gather_active(c, f);
 }
 //<
 
 //> cache-follow
-//>   The list of pairs is sorted, so one walk hands on what is kept.
+//>   The list of pairs is sorted, so what is kept goes to its new place in two walks,
+//>   without a second list.
 static void release_pair(contact_cache *c, cache_pair *p)
 {
     if (p->entry < 0) return;
@@ -55,35 +56,51 @@ static int compare_pairs(const int a[2], const int b[2])
     return is_wall ? -order : order;
 }
 
-static bool grow_spare(cache_list *l, int need)
+static bool is_pair_of(const cache_pair *p, const int key[2])
 {
-    return TABLE_RENEW(l->spare, l->spare_capacity, need);
+    return p->key[0] == key[0] && p->key[1] == key[1];
 }
 
-static void swap_spare(cache_list *l, int count)
+static bool grow_list(cache_list *l, int need)
 {
-    *l = (cache_list){ l->spare, count, l->spare_capacity, l->pair, l->capacity };
+    int room = need + need / 8 + 4;
+    bool ok = true;
+    if (need <= l->capacity) return true;
+    TABLE_GROW(ok, l->pair, l->count, room);
+    if (ok) l->capacity = room;
+    return ok;
 }
 
-// Both lists are sorted: one walk along them hands each pair what was kept of
-// it, and lets go of what belongs to pairs that are listed no more.
+// What was kept of pairs that are listed no more is let go.
+static void drop_unlisted(contact_cache *c, cache_list *l, const pair_list *list)
+{
+    int count = list->count + list->walls, now = 0, kept = 0;
+    for (int k = 0; k < l->count; k++) {
+        cache_pair *p = &l->pair[k];
+        while (now < count && compare_pairs(list->pair[now], p->key) < 0) now++;
+        if (now == count || !is_pair_of(p, list->pair[now])) release_pair(c, p);
+        else if (kept++ < k) l->pair[kept - 1] = *p;
+    }
+    l->count = kept;
+}
+
+// The rest moves to its places from the end on, and new pairs come in between.
 static void follow_list(contact_cache *c, cache_list *l, const pair_list *list)
 {
-    int count = list->count + list->walls;
-    int n = grow_spare(l, count) ? count : 0, old = 0;
-    c->lost += count - n;
-    for (int k = 0; k < n; k++) {
-        const int *now = list->pair[k];
-        while (old < l->count && compare_pairs(l->pair[old].key, now) < 0)
-            release_pair(c, &l->pair[old++]);
-        bool is_known = old < l->count
-                     && compare_pairs(l->pair[old].key, now) == 0;
-        l->spare[k] = is_known ? l->pair[old++]
-                    : (cache_pair){ .key = { now[0], now[1] }, .entry = -1, .was = -1,
-                                    .seen = { -1, -1 } };
+    drop_unlisted(c, l, list);
+    int count = list->count + list->walls, old = l->count - 1;
+    if (!grow_list(l, count)) {
+        c->lost += count - l->count;
+        return;
     }
-    while (old < l->count) release_pair(c, &l->pair[old++]);
-    swap_spare(l, n);
+    l->count = count;
+    for (int k = count - 1; k > old; k--) {
+        const int *now = list->pair[k];
+        bool is_known = old >= 0 && is_pair_of(&l->pair[old], now);
+        l->pair[k] = is_known ? l->pair[old--]
+                   : (cache_pair){ .key = { now[0], now[1] }, .entry = -1, .was = -1,
+                                   .seen = { -1, -1 } };
+    }
 }
 
 static bool is_of_other(const cache_list *l, int k, const cache_list *other,
@@ -100,22 +117,23 @@ const cache_pair *cache_next(const cache_list *l, int *k,
                                          : &l->pair[(*k)++];
 }
 
-// Two sorted lists become one: what was kept of bodies that lie still is there
-// for those that have woken.
+// Two sorted lists become one, from the end on: what was kept of bodies that lie
+// still is there for those that have woken.
 static void take_back_pairs(contact_cache *c, cache_list *l, cache_list *still)
 {
-    int all = l->count + still->count;
-    if (still->count == 0) return;
-    if (!grow_spare(l, all)) {
-        c->lost += still->count;
-        for (int k = 0; k < still->count; k++) release_pair(c, &still->pair[k]);
-        still->count = 0;
+    int all = l->count + still->count, i = l->count - 1, j = still->count - 1;
+    still->count = 0;
+    if (!grow_list(l, all)) {
+        c->lost += j + 1;
+        for (; j >= 0; j--) release_pair(c, &still->pair[j]);
         return;
     }
-    for (int k = 0, i = 0, j = 0; k < all; k++)
-        l->spare[k] = *cache_next(l, &i, still, &j);
-    swap_spare(l, all);
-    still->count = 0;
+    l->count = all;
+    for (int k = all - 1; j >= 0; k--) {
+        bool is_old = i >= 0
+                   && compare_pairs(still->pair[j].key, l->pair[i].key) < 0;
+        l->pair[k] = is_old ? l->pair[i--] : still->pair[j--];
+    }
 }
 
 // And pairs of which nothing is loose leave the list, with what is kept of them.
@@ -125,19 +143,17 @@ static void set_aside(contact_cache *c, cache_list *l, cache_list *still,
     int left = 0, aside = 0;
     for (int k = 0; k < l->count; k++)
         aside += pair_is_settled(list, l->pair[k].key);
-    if (!grow_spare(still, aside)) {
+    if (!grow_list(still, aside)) {
         c->lost += aside;
         return;
     }
-    aside = 0;
     for (int k = 0; k < l->count; k++) {
         cache_pair *p = &l->pair[k];
         bool is_still = pair_is_settled(list, p->key);
         p->is_active &= !is_still;
-        *(is_still ? &still->spare[aside++] : &l->pair[left++]) = *p;
+        *(is_still ? &still->pair[still->count++] : &l->pair[left++]) = *p;
     }
     l->count = left;
-    swap_spare(still, aside);
 }
 
 static void follow_lists(contact_cache *c, const cache_frame *f)
@@ -309,7 +325,8 @@ static void place_chunk(void *data, int item)
 //<
 
 //> cache-entries
-//>   One thread hands out entries for the answers, in the order of the pairs.
+//>   One thread hands out entries for the answers, in the order of the pairs, and takes
+//>   those back that have no points: most pairs of a heap are near, and do not touch.
 // An entry for whatever is asked: -1 where memory is refused.
 static int new_entry(contact_cache *c)
 {
@@ -326,7 +343,6 @@ static int new_entry(contact_cache *c)
         }
         k = c->entries++;
     }
-    c->entry[k] = (cache_entry){ .next = -1 };
     return k;
 }
 
@@ -363,12 +379,21 @@ static void make_old(contact_cache *c, const cache_frame *f, cache_pair *p)
         p->was = c->olds++;
 }
 
-static void make_entries(contact_cache *c, const cache_frame *f)
+static void make_entries(contact_cache *c, const cache_frame *f, int first, int end)
 {
-    c->olds = 0;
-    for (int k = 0; k < c->pairs.count; k++) {
+    for (int k = first; k < end; k++) {
         make_old(c, f, &c->pairs.pair[k]);
         make_entry(c, f, &c->pairs.pair[k]);
+    }
+}
+
+// What has no points needs no entry, unless seams still ask what it was.
+static void give_back_entries(contact_cache *c, int first, int end)
+{
+    for (int k = first; k < end; k++) {
+        cache_pair *p = &c->pairs.pair[k];
+        if (p->count == 0 && !p->passes && !p->is_merged && p->was < 0)
+            release_pair(c, p);
     }
 }
 //<
@@ -532,16 +557,15 @@ static void date(const contact_cache *c, const cache_frame *f, cache_pair *p,
 }
 
 static void query_bodies(contact_cache *c, const cache_frame *f, cache_pair *p,
-                         cache_entry *e)
+                         contact *now)
 {
-    contact *now = &e->contact;
     int a = now->piece_a, b = now->piece_b;
     collider x = cache_collider(c, f, a), y = cache_collider(c, f, b);
     swept_status swept = SWEPT_OVERLAP;
     now->count = 0;
-    now->is_ahead = false;
+    now->is_ahead = now->is_floor = false;
     // (What was out of reach is as if it had not been listed.)
-    if (p->seen[0] < 0) e->carried.count = 0;
+    if (p->seen[0] < 0) p->carried.count = 0;
     p->seen[0] = p->seen[1] = -1;
     bool may_pass = flies(f, a, b);
     if (may_pass || turns(f, a, b)) swept = query_swept(now, f);
@@ -549,7 +573,7 @@ static void query_bodies(contact_cache *c, const cache_frame *f, cache_pair *p,
     if (swept == SWEPT_TOUCHES || p->passes) return;
     real slack = slack_of(c, f, a, b), reach = pair_reach(f, a, b);
     manifold m;
-    bool is_ahead = query_ahead(f, now, x, y, 2 * slack, &e->carried, &reach,
+    bool is_ahead = query_ahead(f, now, x, y, 2 * slack, &p->carried, &reach,
                                 &m);
     cache_take(now, &m, f, is_ahead);
     date(c, f, p, a, b, reach);
@@ -573,13 +597,13 @@ static void query_plane_pair(contact_cache *c, const cache_frame *f, cache_pair 
 
 static void query_pair(contact_cache *c, const cache_frame *f, cache_pair *p)
 {
-    cache_entry *e = &c->entry[p->entry];
-    contact own, *now = &e->contact, *was = p->was >= 0 ? &c->was[p->was] : &own;
+    contact own, *now = &c->entry[p->entry].contact;
+    contact *was = p->was >= 0 ? &c->was[p->was] : &own;
     bool bequeaths = p->count > 0;
     if (bequeaths) *was = *now;
     p->near = -HUGE_VAL;
     if (now->piece_b < 0) query_plane_pair(c, f, p, now);
-    else                  query_bodies(c, f, p, e);
+    else                  query_bodies(c, f, p, now);
     p->count = (signed char)now->count;
     p->is_merged = false;
     if (bequeaths) contact_inherit(now, was);
@@ -614,14 +638,24 @@ static void query_chunk(void *data, int item)
 {
     const cache_work *u = data;
     const cache_list *l = &u->c->pairs;
-    int end = task_end(item, l->count);
-    for (int k = task_first(item); k < end; k++) {
+    int first = u->first + task_first(item);
+    int end = int_min(first + TASK_CHUNK, l->count);
+    for (int k = first; k < end; k++) {
         cache_pair *p = &l->pair[k];
         if (k + 1 < end && p[1].is_asked)
             contact_expect(&u->c->entry[p[1].entry].contact);
         if (p->is_asked) query_pair(u->c, u->f, p);
         activate_pair(u->c, u->f, p);
     }
+}
+
+static void ask_batch(contact_cache *c, const cache_frame *f, int first)
+{
+    cache_work u = { c, f, first };
+    int end = int_min(first + BATCH, c->pairs.count);
+    make_entries(c, f, first, end);
+    tasks_run(f->run, query_chunk, &u, task_chunks(end - first));
+    give_back_entries(c, first, end);
 }
 //<
 
@@ -731,28 +765,22 @@ static bool make_cache_room(contact_cache *c, int bodies, int vertices)
     return ok;
 }
 
-status cache_add(contact_cache *c, int b, int vertices)
+bool cache_add(contact_cache *c, int b, int vertices)
 {
     bool has_room = b < c->room && vertices <= c->placing[b].vertices;
     int more = has_room ? 0 : vertices;
-    if (!make_cache_room(c, b + 1, c->vertices + more))
-        return status_out_of_memory();
+    if (!make_cache_room(c, b + 1, c->vertices + more)) return false;
     struct placing *p = &c->placing[b];
-    *p = (struct placing){ .first = p->first, .vertices = p->vertices };
-    if (has_room) return status_ok();
-    p->first = c->vertices;
-    p->vertices = vertices;
-    c->vertices += vertices;
-    return status_ok();
+    *p = has_room ? (struct placing){ .first = p->first, .vertices = p->vertices }
+                  : (struct placing){ .first = c->vertices, .vertices = vertices };
+    c->vertices += more;
+    return true;
 }
 
 void cache_free(contact_cache *c)
 {
     cache_list *list[] = { &c->pairs, &c->still };
-    for (int k = 0; k < 2; k++) {
-        free(list[k]->pair);
-        free(list[k]->spare);
-    }
+    for (int k = 0; k < 2; k++) free(list[k]->pair);
 #define FREE(table, kept, room) free(c->table);
     CACHE_TABLES(FREE, FREE, c)
 #undef FREE

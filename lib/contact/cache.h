@@ -16,8 +16,8 @@
 
 //> cache-declare
 // Makes room for body b with so many vertices: a new number, or that of a body that was
-// forgotten.  Fails, changing nothing, if memory is refused.
-status cache_add(contact_cache *c, int b, int vertices);
+// forgotten.  False, changing nothing, if memory is refused.
+bool   cache_add(contact_cache *c, int b, int vertices);
 void   cache_free(contact_cache *c);    // an empty or zeroed one is fine
 
 // Finds the contacts of this frame (active, of, reach): those of two bodies in the

@@ -50,14 +50,15 @@ typedef struct {
 //>   And this is what it keeps of a pair: the last answer, and until when it is
 //>   good.
 // What is kept of a pair of bodies, or of a body and a plane.  It is small, because it
-// is read in every frame.
+// is read in every frame; the contact stands elsewhere, if they have one.
 typedef struct {
     int  key[2];        // two bodies, or a body and a plane (contact_with_plane)
-    int  entry;         // its place in the table of contacts; -1: none
+    int  entry;         // its place in the table of contacts; -1: it has no points
     int  was;           // the place in `was` of what it was before this frame's
                         // query; -1: none
     int  seen[2];       // the number of the placing of each body in the query; -1:
                         // the answer is good for this frame only
+    query_cache carried;
     bool is_asked, is_active;   // in this frame
     bool is_merged;     // its points belong to the contact of a neighbouring piece
     bool passes;        // one body flies past the other, or a third holds it before
@@ -69,7 +70,6 @@ typedef struct {
 } cache_pair;
 
 typedef struct {
-    query_cache carried;
     int next;           // the next free entry
     contact contact;
 } cache_entry;
@@ -78,8 +78,6 @@ typedef struct {
 typedef struct {
     cache_pair *pair;   // [count], as in the list
     int count, capacity;
-    cache_pair *spare;          // [spare_capacity] for the next list
-    int spare_capacity;
 } cache_list;
 
 typedef struct {
@@ -128,6 +126,7 @@ typedef struct {
 typedef struct {
     contact_cache *c;
     const cache_frame *f;
+    int first;                  // the pair with which item 0 begins
 } cache_work;
 
 // The tables of a cache, with the number of elements that a saved cache keeps, and the

@@ -753,7 +753,7 @@ static void correct_chunk(void *data, int item)
 
 void seams_correct(contact_cache *c, const cache_frame *f)
 {
-    cache_work m = { c, f };
+    cache_work m = { c, f, 0 };
     bool is_any = false;
     for (int k = 0; k < c->pairs.count && !is_any; k++)
         is_any = seams_is_on_floor(f, &c->pairs.pair[k]);

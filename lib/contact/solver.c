@@ -559,16 +559,15 @@ static void move_spare(contact_solver *s, int spare)
     s->room = spare;
 }
 
-status solver_grow(contact_solver *s, int bodies)
+bool solver_grow(contact_solver *s, int bodies)
 {
     int room = table_room(bodies, s->room);
     bool ok = true;
-    if (s->taken && bodies <= s->room) return status_ok();
+    if (s->taken && bodies <= s->room) return true;
     TABLE_GROW(ok, s->taken, 0, room);
     TABLE_GROW(ok, s->first_of, 0, room);
-    if (!ok) return status_out_of_memory();
-    move_spare(s, room);
-    return status_ok();
+    if (ok) move_spare(s, room);
+    return ok;
 }
 
 void solver_free(contact_solver *s)

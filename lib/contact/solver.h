@@ -11,8 +11,8 @@
 
 //> solver-declare
 // Makes room for so many bodies (s->room), if there is less.  A zeroed solver has room
-// for none.  Fails, changing nothing, if memory is refused.
-status solver_grow(contact_solver *s, int bodies);
+// for none.  False, changing nothing, if memory is refused.
+bool solver_grow(contact_solver *s, int bodies);
 void   solver_free(contact_solver *s);      // an empty or zeroed one is fine
 
 // Takes n contacts: computes which points of contact k may come together within

@@ -24,15 +24,14 @@ static bool make_sleep_room(sleep_state *s, int room, int particles)
     return ok;
 }
 
-status sleep_grow(sleep_state *s, int bodies, int particles)
+bool sleep_grow(sleep_state *s, int bodies, int particles)
 {
     assert(bodies >= 0 && particles >= 0);
     if (!make_sleep_room(s, table_room(bodies, s->room),
-                         table_room(particles, s->particle_room)))
-        return status_out_of_memory();
+                         table_room(particles, s->particle_room))) return false;
     s->bodies = int_max(s->bodies, bodies);
     s->particles = int_max(s->particles, particles);
-    return status_ok();
+    return true;
 }
 
 void sleep_free(sleep_state *s)

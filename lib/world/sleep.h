@@ -81,8 +81,8 @@ typedef struct {
 //>   A body has two windows at a time, half a window apart, so that a stop is
 //>   noticed soon.
 // Makes room for so many, if there is less; new bodies are awake.  A zeroed state has
-// room for none.  Fails, changing nothing, if memory is refused.
-status sleep_grow(sleep_state *s, int bodies, int particles);
+// room for none.  False, changing nothing, if memory is refused.
+bool   sleep_grow(sleep_state *s, int bodies, int particles);
 void   sleep_free(sleep_state *s);      // an empty or zeroed one is fine
 
 // Begins a frame: every body is an island of its own, but sleepers stay with those with

@@ -41,16 +41,10 @@ static void pair_list_store(pair_list *x, store *s)
 //> snapshot-contacts
 //>   The cache keeps its contacts with their impulses, and the solver its
 //>   blocks.
-static void cache_list_store(cache_list *l, store *s)
-{
-    STORE_TABLE(s, l->pair, l->count, l->capacity);
-    STORE_ROOM(s, l->spare, l->spare_capacity);
-}
-
 static void cache_store(contact_cache *x, store *s)
 {
-    cache_list_store(&x->pairs, s);
-    cache_list_store(&x->still, s);
+    STORE_TABLE(s, x->pairs.pair, x->pairs.count, x->pairs.capacity);
+    STORE_TABLE(s, x->still.pair, x->still.count, x->still.capacity);
     CACHE_TABLES(SAVED, ROOM, x)
     STORE_FORGET(s, x->actives);
 }

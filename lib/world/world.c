@@ -451,17 +451,13 @@ static bool grow_pool(world *w, int particles)
 }
 
 // For one more body, with so many more particles.
-static status make_world_room(world *w, int bodies, int particles)
+static bool make_world_room(world *w, int bodies, int particles)
 {
     rigid_tables *t = &w->rigid;
-    if (!grow_tables(w, bodies) || !grow_pool(w, particles))
-        return status_out_of_memory();
-    status done = sleep_grow(&w->sleep, bodies, particles);
-    if (done.ok) done = pair_list_grow(&t->pairs, bodies);
-    if (done.ok) done = solver_grow(&t->solver, bodies);
-    if (done.ok && !grow_motions(t, t->solver.room + 1))
-        done = status_out_of_memory();
-    return done;
+    return grow_tables(w, bodies) && grow_pool(w, particles)
+        && sleep_grow(&w->sleep, bodies, particles)
+        && pair_list_grow(&t->pairs, bodies) && solver_grow(&t->solver, bodies)
+        && grow_motions(t, t->solver.room + 1);
 }
 //<
 
@@ -553,17 +549,18 @@ static status take_place(world *w, int b, body x)
 {
     int n = body_rides(&x) ? 0 : body_particles(&x);
     bool is_new = b == w->bodies;
-    status done = make_world_room(w, w->bodies + is_new,
-                                  w->pool.count + (is_new ? n : 0));
-    if (!done.ok) return done;
+    if (!make_world_room(w, w->bodies + is_new,
+                         w->pool.count + (is_new ? n : 0)))
+        return status_out_of_memory();
     body was = w->body[b];
     x.first = is_new ? w->pool.count : was.first;
     x.room = is_new ? n : was.room;
     if (body_rides(&x)) x.first = w->body[x.rides - 1].first;
     w->body[b] = x;
-    done = cache_add(&w->rigid.cache, b, x.rigid ? x.shape->particles : 0);
-    if (done.ok) done = soft_add(&w->soft, w->body, b, w->bodies + is_new,
-                                 w->pool.capacity);
+    bool fits = cache_add(&w->rigid.cache, b, x.rigid ? x.shape->particles : 0);
+    status done = fits ? soft_add(&w->soft, w->body, b, w->bodies + is_new,
+                                  w->pool.capacity)
+                       : status_out_of_memory();
     w->body[b] = done.ok || is_new ? x : was;
     return done;
 }

@@ -22,10 +22,12 @@ define LIVES
 05/climb
 06/tree
 06/enclose
+06/descend
 07/shares
 07/cone
 08/blow
 08/ruler
+08/fade
 09/room
 09/drape
 10/nearest
@@ -56,8 +58,10 @@ define LIVES
 18/island
 18/canopy
 19/topple
+19/ray
 19/sandbox
 20/hard
+21/work
 24/halves
 endef
 # What a figure takes from other folders, beside the library.

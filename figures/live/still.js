@@ -12,8 +12,8 @@ const sheet = await browser.newPage({ viewport: { width: 788, height: 900 }, dev
 await sheet.goto(`file://${page}`);
 const figure = sheet.locator(`[data-live="${name}"]`);
 await figure.evaluate(node => node.scrollIntoView());
-await sheet.waitForSelector(`[data-live="${name}"][data-ready]`, { timeout: 60000 });
+await sheet.waitForSelector(`[data-live="${name}"][data-ready]`, { timeout: 240000 });
 await figure.locator('.live-stage').evaluate(stage => { stage.style.borderBottom = stage.style.paddingBottom = 0; stage.querySelector('.live-tools').remove(); });
 await sheet.waitForTimeout(300);
-await figure.locator('.live-stage').screenshot({ path: picture, timeout: 60000 });
+await figure.locator('.live-stage').screenshot({ path: picture, timeout: 240000 });
 await browser.close();

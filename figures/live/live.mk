@@ -212,5 +212,6 @@ $(LIVE:%=still-%): still-%: need-browser $(BUILD)/live/%.js $(BUILD)/live/%.json
 	$(Q)sh figures/live/page.sh $(call live_chapter,$*) $(BUILD)/live/still-$* $(BUILD)/live $(BUILD)/live $*
 	$(Q)cp figures/live/still.js $(NODE)/ && node $(NODE)/still.js \
 	  $(abspath $(BUILD)/live/still-$*/index.html) $* $(BUILD)/live/$*.png
-	$(Q)cwebp -quiet -q 82 -m 6 -resize 1200 0 $(BUILD)/live/$*.png -o figures/live/$*.webp
-	@ls -l figures/live/$*.webp
+	$(Q)for one in $* $*-dark; do [ ! -e $(BUILD)/live/$$one.png ] || \
+	  cwebp -quiet -q 82 -m 6 -resize 1200 0 $(BUILD)/live/$$one.png -o figures/live/$$one.webp; done
+	@ls -l figures/live/$*.webp $(wildcard figures/live/$*-dark.webp)

@@ -66,7 +66,8 @@ tumble_quat tumble_quat_turn(tumble_vec3 axis, double angle);
 // The matrix of a rotation, row by row; it acts on a column (x, y, z).
 void tumble_quat_matrix(tumble_quat q, double m[9]);
 
-// The rotation that has this matrix.
+// The rotation that has this matrix.  A rotation a and then b have the product of the
+// matrices of b and a, in this order.
 tumble_quat tumble_quat_from_matrix(const double m[9]);
 
 // Rotates a vector by q: from the axes of the shape to those of the world.

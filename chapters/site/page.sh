@@ -93,9 +93,14 @@ tasks() {
     done
 }
 
-# What moves in a chapter, standing still, and the way to it.
+# What moves in a chapter, standing still, and the way to it.  On a dark page a drawing
+# in space has its twin, and a flat one is inverted (style.css).
 still() {
-    sed -n "s|^!\[.*(\.\./\.\./figures/live/\([a-z]*\)\.webp)\$|[![what moves there](figures/live/\1.webp){.thumb width=1200 height=675 loading=lazy}]($1.md#figure-\1) |p" "chapters/woven/$1.md" | head -n 1
+    one=$(sed -n 's|^!\[.*(\.\./\.\./figures/live/\([a-z]*\)\.webp)$|\1|p' "chapters/woven/$1.md" | head -n 1)
+    [ -n "$one" ] || return
+    source='' kind=' flat'
+    [ ! -e "figures/live/$one-dark.webp" ] || { kind=''; source="<source media=\"(prefers-color-scheme: dark)\" srcset=\"figures/live/$one-dark.webp\">"; }
+    echo "<a href=\"$1.html#figure-$one\"><picture>$source<img class=\"thumb$kind\" src=\"figures/live/$one.webp\" alt=\"what moves there\" width=\"1200\" height=\"675\" loading=\"lazy\"></picture></a> "
 }
 
 # The link to where an exercise is written in the page, if it is (workshop.mk).

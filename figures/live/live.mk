@@ -22,10 +22,12 @@ define LIVES
 05/climb
 06/tree
 06/enclose
+06/descend
 07/shares
 07/cone
 08/blow
 08/ruler
+08/fade
 09/room
 09/drape
 10/nearest
@@ -56,8 +58,10 @@ define LIVES
 18/island
 18/canopy
 19/topple
+19/ray
 19/sandbox
 20/hard
+21/work
 24/halves
 endef
 # What a figure takes from other folders, beside the library.
@@ -208,5 +212,6 @@ $(LIVE:%=still-%): still-%: need-browser $(BUILD)/live/%.js $(BUILD)/live/%.json
 	$(Q)sh figures/live/page.sh $(call live_chapter,$*) $(BUILD)/live/still-$* $(BUILD)/live $(BUILD)/live $*
 	$(Q)cp figures/live/still.js $(NODE)/ && node $(NODE)/still.js \
 	  $(abspath $(BUILD)/live/still-$*/index.html) $* $(BUILD)/live/$*.png
-	$(Q)cwebp -quiet -q 82 -m 6 -resize 1200 0 $(BUILD)/live/$*.png -o figures/live/$*.webp
-	@ls -l figures/live/$*.webp
+	$(Q)for one in $* $*-dark; do [ ! -e $(BUILD)/live/$$one.png ] || \
+	  cwebp -quiet -q 82 -m 6 -resize 1200 0 $(BUILD)/live/$$one.png -o figures/live/$$one.webp; done
+	@ls -l figures/live/$*.webp $(wildcard figures/live/$*-dark.webp)

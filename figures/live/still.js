@@ -1,5 +1,6 @@
 // still.js - node still.js PAGE NAME PICTURE: the stage of a live figure at frame
-// 60, as PNG: what is drawn, without the buttons and the strip that they stand in.
+// 60, as PNG: what is drawn, without the buttons and the strip that they stand in.  A
+// drawing in space has another light on a dark page, and a second picture of it.
 
 import { chromium } from 'playwright-core';
 
@@ -12,8 +13,13 @@ const sheet = await browser.newPage({ viewport: { width: 788, height: 900 }, dev
 await sheet.goto(`file://${page}`);
 const figure = sheet.locator(`[data-live="${name}"]`);
 await figure.evaluate(node => node.scrollIntoView());
-await sheet.waitForSelector(`[data-live="${name}"][data-ready]`, { timeout: 60000 });
+await sheet.waitForSelector(`[data-live="${name}"][data-ready]`, { timeout: 240000 });
 await figure.locator('.live-stage').evaluate(stage => { stage.style.borderBottom = stage.style.paddingBottom = 0; stage.querySelector('.live-tools').remove(); });
 await sheet.waitForTimeout(300);
-await figure.locator('.live-stage').screenshot({ path: picture, timeout: 60000 });
+await figure.locator('.live-stage').screenshot({ path: picture, timeout: 240000 });
+if (!await figure.evaluate(node => node.live.isFlat)) {
+  await sheet.emulateMedia({ colorScheme: 'dark', reducedMotion: 'reduce' });
+  await sheet.waitForTimeout(1000);
+  await figure.locator('.live-stage').screenshot({ path: picture.replace('.png', '-dark.png'), timeout: 240000 });
+}
 await browser.close();

@@ -80,9 +80,10 @@ static inline material soft_material(const soft_frame *f, int a, int b)
 // May anything come of a and b being near each other?
 static inline bool soft_meets(const soft_frame *f, int a, int b)
 {
+    int x = body_whole(&f->body[a], a), y = body_whole(&f->body[b], b);
     for (int k = 0; k < f->ties; k++)
-        if ((f->tied[k].soft == a && f->tied[k].rigid == b)
-            || (f->tied[k].soft == b && f->tied[k].rigid == a)) return false;
+        if ((f->tied[k].soft == x && f->tied[k].rigid == y)
+            || (f->tied[k].soft == y && f->tied[k].rigid == x)) return false;
     return body_meets(&f->body[a], &f->body[b]);
 }
 //<

@@ -753,6 +753,32 @@ START_TEST(a_box_hangs_on_a_rope)
 }
 END_TEST
 
+// A body of two pieces; the cloth hangs a finger's breadth beside the second one.
+START_TEST(cloth_meets_no_piece_of_what_it_hangs_on)
+{
+    enum { SIDE = 6 };
+    tumble_options o = tumble_options_default();
+    o.gravity = tumble_v(0, 0, 0);
+    tumble_world *w = tumble_world_make(&o);
+    tumble_shape piece[2] = {
+        tumble_shape_box(w, tumble_v(0.4, 0.4, 0.4), 4),
+        tumble_shape_box(w, tumble_v(2, 0.06, 0.06), 4) };
+    tumble_pose at[2] = { { .position = { -1.2, 0, 0 } } };
+    tumble_body mast = tumble_body_add_compound(w, piece, at, 2,
+                                                tumble_body_at(0, 0, 0));
+    tumble_body sail =
+        tumble_body_add(w, tumble_shape_cloth(w, SIDE, SIDE, 1.4, 0.6, 0.4),
+                        tumble_body_at(0.2, 0, 0.35));
+    for (int i = 0; i < SIDE; i++) tumble_joint_hang(w, sail, i, mast);
+    run(w, 0.5);
+    tumble_measures m = tumble_world_measure(w);
+    ck_assert_double_lt(m.kinetic, 1e-20);      // J
+    ck_assert_double_lt(m.strain, 1e-12);
+    expect_fine(w);
+    tumble_world_free(w);
+}
+END_TEST
+
 START_TEST(materials_cloth_and_filters_are_taken)
 {
     tumble_world *w = with_floor();
@@ -1606,6 +1632,7 @@ int main(void)
         every_shape_falls_and_lies_as_high_as_it_is,
         joints_hold_what_they_say,
         a_box_hangs_on_a_rope,
+        cloth_meets_no_piece_of_what_it_hangs_on,
         a_box_rides_on_a_plate_that_goes_up,
         weights_over_a_drum_go_as_atwood_says,
         a_box_that_hangs_still_has_no_velocity,

@@ -370,8 +370,32 @@ void solver_relax(contact_solver *s, const solver_frame *f, motion *velocity,
 
 //> solver-begin
 //>   Every contact starts a substep with the impulses of the last.
+// Friction on what a driven body carries turns with that body, as the tangent of half
+// the angle says.
+static void turn_friction(block *k, int lane, const solver_frame *f,
+                          const motion *velocity)
+{
+    int b = k->b[lane];
+    if (k->contact[lane] < 0) return;
+    vec3 normal = vec3_make(real4_get(&k->normal[0], lane),
+                            real4_get(&k->normal[1], lane),
+                            real4_get(&k->normal[2], lane));
+    vec3 spin = motion_rotation(&f->body[b].basis, &velocity[b]);
+    real half = f->h / 2 * vec3_dot(spin, normal);
+    real scale = 1 / (1 + half * half), cosine = (1 - half * half) * scale;
+    real sine = 2 * half * scale;
+    real x = real4_get(&k->rub[0], lane), y = real4_get(&k->rub[1], lane);
+    real4_set(&k->rub[0], lane, cosine * x - sine * y);
+    real4_set(&k->rub[1], lane, sine * x + cosine * y);
+}
+
 void solver_warm(contact_solver *s, const solver_frame *f, motion *velocity)
 {
+    for (int n = 0; n < s->blocks; n++) {
+        block *k = &s->block[n];
+        for (int l = 0; l < REAL4 && k->is_driven && k->rubs; l++)
+            turn_friction(k, l, f, velocity);
+    }
     run_pass(s, f, velocity, NULL, passes_best()->warm);
 }
 

@@ -357,10 +357,11 @@ static bool wake_pair(world *w, int a, int b, real *passed)
 {
     int x = body_whole(&w->body[a], a), y = body_whole(&w->body[b], b);
     real ways = w->rigid.reach[a] + w->rigid.reach[b];
-    bool wakes = world_wakes_near(w, x, y)
-        && may_meet(w, a, b, ways + *passed) && world_wake_near(w, x, y);
-    if (wakes) *passed = real_max(*passed, ways);
-    return wakes;
+    int sleeper = world_sleeper_near(w, x, y);
+    if (sleeper < 0 || !may_meet(w, a, b, ways + *passed)) return false;
+    world_wake(w, sleeper);
+    *passed = real_max(*passed, ways);
+    return true;
 }
 
 static bool wake_sleepers(world *w, real *passed)

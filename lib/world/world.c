@@ -291,27 +291,23 @@ void world_pin_sleeper(world *w, int b)
     }
 }
 
-static int sleeper_of(const world *w, int a, int b)
+int world_sleeper_near(const world *w, int a, int b)
 {
-    return w->sleep.asleep[a] ? a : b;
-}
-
-bool world_wakes_near(const world *w, int a, int b)
-{
-    int sleeper = sleeper_of(w, a, b), other = a + b - sleeper;
-    if (!w->sleep.asleep[sleeper] || w->sleep.asleep[other]) return false;
-    if (body_is_static(&w->body[sleeper])) return false;
-    return w->body[other].is_kinematic
-         ? body_is_driven(w, other)
-         : body_is_dynamic(&w->body[other])
-           && sleep_is_moving(&w->sleep, other);
+    int sleeper = w->sleep.asleep[a] ? a : b, other = a + b - sleeper;
+    if (!w->sleep.asleep[sleeper] || w->sleep.asleep[other]) return -1;
+    if (body_is_static(&w->body[sleeper])) return -1;
+    bool comes = w->body[other].is_kinematic
+               ? body_is_driven(w, other)
+               : body_is_dynamic(&w->body[other])
+                 && sleep_is_moving(&w->sleep, other);
+    return comes ? sleeper : -1;
 }
 
 bool world_wake_near(world *w, int a, int b)
 {
-    bool wakes = world_wakes_near(w, a, b);
-    if (wakes) world_wake(w, sleeper_of(w, a, b));
-    return wakes;
+    int sleeper = world_sleeper_near(w, a, b);
+    if (sleeper >= 0) world_wake(w, sleeper);
+    return sleeper >= 0;
 }
 
 sphere world_ball(const world *w, int b)

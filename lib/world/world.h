@@ -460,8 +460,8 @@ void world_renew(world *w, int b);
 // impact.  Returns whether it woke.
 bool world_wake_near(world *w, int a, int b);
 
-// The answer that world_wake_near would give; nothing wakes.
-bool world_wakes_near(const world *w, int a, int b);
+// The sleeper that world_wake_near would wake; -1: none.
+int world_sleeper_near(const world *w, int a, int b);
 
 // Writes where the vertices of body b are now: at[shape->particles].
 void   world_vertices(const world *w, const body *b, vec3 *at);

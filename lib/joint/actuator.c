@@ -103,7 +103,7 @@ real actuator_inverse(const joint_rows *r, real mass_a, real mass_b)
     int last = r->held;
     for (int i = 0; i <= last; i++)
         for (int m = 0; m <= last; m++)
-            k[i][m] = joint_coupling(JOINT_ROWS, r, i, m, mass_a, mass_b);
+            k[i][m] = joint_coupling(r, i, m, mass_a, mass_b);
     small_invert(last + 1, k);
     return k[last][last] > 0 ? 1 / k[last][last] : 0;
 }
@@ -196,18 +196,12 @@ void actuator_begin(joint *j, joint_rows *r, real h, real kick)
     r->kept = j->impulse[r->held];
 }
 
-static void soften(const joint *j, joint_rows *r, int n,
-                   real k[JOINT_ROWS][JOINT_ROWS])
+static void soften_drive(const joint *j, joint_rows *r)
 {
-    int own = r->held;
-    real hard = r->give[own];
-    real give = is_spring(&j->drive, r) ? 1 / r->slope : hard;
-    k[own][own] += give - hard;
-    r->hard = hard;
-    r->give[own] = give;
-    if (is_hard(&j->drive) || is_spring(&j->drive, r)) return;
-    for (int i = 0; i < n; i++) k[own][i] = k[i][own] = 0;
-    r->give[own] = 0;
+    real *give = &r->give[r->held];
+    r->hard = *give;
+    if (is_spring(&j->drive, r))        *give = 1 / r->slope;
+    else if (!is_hard(&j->drive))       *give = 0;
 }
 
 // From here to a limit, at its end; what has passed it comes back as errors do.
@@ -296,23 +290,19 @@ static bool holds_cone(const joint *j, int i)
     return j->is_coned && i < 2 && j->cone_holds[i];
 }
 
-static void open_ball(const joint *j, joint_rows *r, int n,
-                      real k[JOINT_ROWS][JOINT_ROWS])
+static void open_ball(const joint *j, joint_rows *r)
 {
     bool rubs = j->friction > 0 && !j->slips;
     for (int i = 0; i < j->extra; i++) {
-        int own = r->held + i;
-        r->firm[i] = r->give[own];
-        if (holds_cone(j, i) || rubs) continue;
-        for (int m = 0; m < n; m++) k[own][m] = k[m][own] = 0;
+        r->firm[i] = r->give[r->held + i];
+        if (!holds_cone(j, i) && !rubs) r->give[r->held + i] = 0;
     }
 }
 
-void actuator_weigh(const joint *j, joint_rows *r, int n,
-                    real k[JOINT_ROWS][JOINT_ROWS])
+void actuator_soften(const joint *j, joint_rows *r)
 {
-    if (j->kind == JOINT_BALL)  open_ball(j, r, n, k);
-    else                        soften(j, r, n, k);
+    if (j->kind == JOINT_BALL)  open_ball(j, r);
+    else                        soften_drive(j, r);
 }
 
 real actuator_bias_cone(const joint *j, joint_rows *r, int i, real h,

@@ -675,11 +675,10 @@ static void prove_again(const frame_search *l, const witness *w)
     else search_between(l, a, b);
 }
 
-// Smaller windows are found for one that is none now.
-static void search_windows(const frame_search *l, const frame_search *now)
+// Smaller windows are found for one of the first n that is none now.
+static void search_windows(const frame_search *l, const frame_search *now, int n)
 {
     certificate *c = l->c;
-    int n = c->keeps;
     for (int k = 0; k < n; k++) {
         witness *w = &c->kept[k];
         if (w->kind != WITNESS_WINDOW || witness_holds(now, w)) continue;
@@ -728,7 +727,7 @@ static void check_kept(const frame_search *l)
     c->left_out = 0;
     c->is_boxed = false;
     search_clashes(l, clashed);
-    search_windows(l, &now);
+    search_windows(l, &now, n);
     int windows = c->keeps;
     for (int k = 0; k < n; k++) {
         witness *w = &c->kept[k];
@@ -802,7 +801,7 @@ static bool has_body_plane(const frame_search *l, const certified_set *s,
     const certificate *c = l->c;
     vec3 at[ENDS * FACET];
     vec3 delta = vec3_sub(c->at[1][b->first], c->at[0][b->first]);
-    for (int turns = 1; turns >= 0; turns--) {
+    for (int turns = !body_is_fixed(b); turns >= 0; turns--) {
         for (int k = 0; k < FACET; k++) {
             vec3 was = c->at[0][s->vertex[k]];
             at[k] = c->at[1][s->vertex[k]];

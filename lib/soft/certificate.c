@@ -539,30 +539,10 @@ static void search_within(const frame_search *l, cell_part p)
     search_between(l, half[0], half[1]);
 }
 
-// Two cloths, and where they are in the pool.
-static witness asked(const frame_search *l, int a, int b)
-{
-    witness w = { .kind = WITNESS_ASKED };
-    for (int i = 0; i < 2; i++) {
-        w.set[i].part = whole_soft(l, i == 0 ? a : b);
-        w.set[i].vertex[0] = l->f->body[i == 0 ? a : b].first;
-    }
-    return w;
-}
-
 static bool is_same_range(cell_range a, cell_range b)
 {
     return a.body == b.body && a.left == b.left && a.right == b.right
         && a.top == b.top && a.bottom == b.bottom;
-}
-
-static bool is_same_asked(const witness *x, const witness *y)
-{
-    bool is_same = true;
-    for (int i = 0; i < 2; i++)
-        is_same = is_same && x->set[i].vertex[0] == y->set[i].vertex[0]
-               && is_same_range(x->set[i].part.cells, y->set[i].part.cells);
-    return is_same;
 }
 
 static bool is_asked(const frame_search *l, int a, int b)
@@ -570,15 +550,6 @@ static bool is_asked(const frame_search *l, int a, int b)
     const soft_frame *f = l->f;
     return is_certified(f, a) && is_certified(f, b)
         && (soft_moves(f, a) || soft_moves(f, b)) && soft_meets(f, a, b);
-}
-
-// (A sheet of which nothing is asked may be gone at the next look, and a smaller one
-// have its number: it has no windows.)
-static bool is_asked_of_some(const frame_search *l, int b)
-{
-    for (int n = 0; n < l->f->softs; n++)
-        if (is_asked(l, b, l->f->soft[n])) return true;
-    return false;
 }
 
 // Pairs that no plane parts are in `clash` afterwards.  What found no room in
@@ -591,13 +562,11 @@ static void search_all(const frame_search *l)
     c->clashes = c->left_out = c->keeps = 0;
     c->is_boxed = false;
     for (int n = 0; n < softs; n++)
-        if (is_asked_of_some(l, soft[n])) find_windows(l, whole_soft(l, soft[n]));
+        if (is_asked(l, soft[n], soft[n])) find_windows(l, whole_soft(l, soft[n]));
     for (int n = 0; n < softs; n++)
         for (int m = 0; m <= n; m++) {
             int a = soft[m], b = soft[n];
             if (!is_asked(l, a, b)) continue;
-            witness w = asked(l, a, b);
-            keep_witness(l, &w);
             if (a == b) search_within(l, whole_soft(l, b));
             else        search_between(l, whole_soft(l, a), whole_soft(l, b));
         }
@@ -706,11 +675,10 @@ static void prove_again(const frame_search *l, const witness *w)
     else search_between(l, a, b);
 }
 
-// Smaller windows are found for one that is none now.
-static void search_windows(const frame_search *l, const frame_search *now)
+// Smaller windows are found for one of the first n that is none now.
+static void search_windows(const frame_search *l, const frame_search *now, int n)
 {
     certificate *c = l->c;
-    int n = c->keeps;
     for (int k = 0; k < n; k++) {
         witness *w = &c->kept[k];
         if (w->kind != WITNESS_WINDOW || witness_holds(now, w)) continue;
@@ -733,7 +701,7 @@ static void search_clashes(const frame_search *l, int n)
 
 static bool is_witness_lost(const witness *w)
 {
-    if (w->kind == WITNESS_WINDOW || w->kind == WITNESS_ASKED) return false;
+    if (w->kind == WITNESS_WINDOW) return false;
     return w->kind == WITNESS_LOST || !(w->slack > 0);
 }
 
@@ -759,11 +727,11 @@ static void check_kept(const frame_search *l)
     c->left_out = 0;
     c->is_boxed = false;
     search_clashes(l, clashed);
-    search_windows(l, &now);
+    search_windows(l, &now, n);
     int windows = c->keeps;
     for (int k = 0; k < n; k++) {
         witness *w = &c->kept[k];
-        if (w->kind == WITNESS_WINDOW || w->kind == WITNESS_ASKED) continue;
+        if (w->kind == WITNESS_WINDOW) continue;
         if (clashes_too_much(c))         w->slack -= witness_path(l, w);
         else if (w->kind == WITNESS_LOST || !witness_holds(&now, w)) prove_again(l, w);
     }
@@ -771,24 +739,21 @@ static void check_kept(const frame_search *l)
     else                move_up(c, n);
 }
 
-// Is what is kept about what is asked for, and not worn to pieces?
+// Is what is kept about what is asked for, and not worn to pieces?  Whatever else
+// changes who meets whom makes the lists stale, see certificate_begin.
 static bool may_check_kept(const frame_search *l)
 {
     const certificate *c = l->c;
-    const int *soft = l->f->soft;
-    int k = 0;
-    if (!(c->keeps > 0 && c->keeps <= int_min(c->room, 2 * c->made))) return false;
-    for (int n = 0; n < l->f->softs; n++)
-        for (int m = 0; m <= n; m++) {
-            int a = soft[m], b = soft[n];
-            if (!is_asked(l, a, b)) continue;
-            witness w = asked(l, a, b);
-            while (k < c->keeps && c->kept[k].kind != WITNESS_ASKED) k++;
-            if (k >= c->keeps || !is_same_asked(&c->kept[k++], &w))
-                return false;
-        }
-    while (k < c->keeps && c->kept[k].kind != WITNESS_ASKED) k++;
-    return k == c->keeps;
+    bool are_same_awake = true;
+    for (int n = 0; n < l->f->softs; n++) {
+        int b = l->f->soft[n];
+        certified_vertex *first = &c->of[l->f->body[b].first];
+        bool moves = soft_moves(l->f, b);
+        are_same_awake &= first->moved == moves;
+        first->moved = moves;
+    }
+    return are_same_awake && c->keeps > 0
+        && c->keeps <= int_min(c->room, 2 * c->made);
 }
 //<
 
@@ -836,7 +801,7 @@ static bool has_body_plane(const frame_search *l, const certified_set *s,
     const certificate *c = l->c;
     vec3 at[ENDS * FACET];
     vec3 delta = vec3_sub(c->at[1][b->first], c->at[0][b->first]);
-    for (int turns = 1; turns >= 0; turns--) {
+    for (int turns = !body_is_fixed(b); turns >= 0; turns--) {
         for (int k = 0; k < FACET; k++) {
             vec3 was = c->at[0][s->vertex[k]];
             at[k] = c->at[1][s->vertex[k]];
@@ -1276,6 +1241,7 @@ static void copy_positions(certificate *c, const soft_frame *f,
 void certificate_begin(certificate *c, const soft_frame *f, const near_lists *near)
 {
     copy_positions(c, f, near, 0);
+    if (near && near->is_stale) c->keeps = 0;
     c->since = 0;
 }
 

@@ -46,11 +46,9 @@ typedef struct {
 //     x . e > 0,  y . f > 0,  4 (x . e) (y . f) > (x . f + y . e)^2.
 // WITNESS_WINDOW: of the second, likewise; the first is a part in it.
 // WITNESS_NONE: the two crossed, or touched, when the way began.
-// WITNESS_ASKED, WITNESS_LOST: none; these two were asked for, or what was
-// witness is none now.
+// WITNESS_LOST: what was witness is none now.
 typedef enum {
-    WITNESS_PLANE, WITNESS_SPREAD, WITNESS_WINDOW, WITNESS_NONE, WITNESS_ASKED,
-    WITNESS_LOST
+    WITNESS_PLANE, WITNESS_SPREAD, WITNESS_WINDOW, WITNESS_NONE, WITNESS_LOST
 } witness_kind;
 
 typedef struct {
@@ -88,6 +86,7 @@ typedef struct {
     int  right, bottom; // up to here the patch reaches that has its cell, see
                         // mark_windows; 0: there is none
     bool crossed;       // it is of a pair that crossed at first
+    bool moved;         // it is the first of a body that moved in the last look
     bool is_cut;        // it is the first of a body, and a rigid body cut a facet
                         // of that at the end
     int  patch;         // a vertex of what goes as one with it, or itself; that

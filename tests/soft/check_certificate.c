@@ -152,7 +152,6 @@ static void listen(void)
     for (int k = 0; k < proof.keeps; k++) {
         witness w = proof.kept[k];
         cell_range *a = &w.set[0].part.cells, b = w.set[1].part.cells;
-        if (w.kind == WITNESS_ASKED) continue;
         if (w.kind != WITNESS_PLANE && w.kind != WITNESS_NONE) {
             w.kind = WITNESS_SPREAD;
             *a = (cell_range){ a->body, int_min(a->left, b.left), int_min(a->top, b.top),
@@ -674,9 +673,41 @@ START_TEST(what_nothing_is_asked_of_has_no_window)
     move(0, vec3_make(0, 1e-5, 0));
     certificate_end(&proof, &frame, NULL, NULL);
     asleep[1] = false;
-    ck_assert_int_gt(proof.keeps, 1);
+    ck_assert_int_gt(proof.keeps, 0);
     for (int k = 0; k < proof.keeps; k++)
         ck_assert_int_eq(proof.kept[k].set[0].part.cells.body, 0);
+}
+END_TEST
+
+// A second sheet sleeps, or meets nothing, while the first is proved; then it is
+// crumpled.  Rejects: pairs that are kept although others are asked for.
+static void ask_later(bool is_asleep)
+{
+    unsigned long long seed = 17;
+    near_lists lists = { .is_stale = !is_asleep };
+    lay(&seed, SPACING);
+    for (int v = EACH; v < ALL; v++) at[v].position.y += 20 * SPACING;
+    asleep[1] = is_asleep;
+    sheet[1].mask = sheet[1].group = is_asleep;
+    for (int f = 0; f < 2; f++) {
+        certificate_begin(&proof, &frame, f ? &lists : NULL);
+        proof.since = FRAME;
+        if (f == 0) move(0, vec3_make(0, 1e-5, 0));
+        for (int v = EACH; v < ALL && f > 0; v++)
+            move(v, vec3_scale(2 * SPACING, any(&seed)));
+        certificate_end(&proof, &frame, NULL, NULL);
+        asleep[1] = false;
+        sheet[1].mask = sheet[1].group = 1;
+    }
+    ck_assert_int_gt(proof.prevented, 0);
+    ck_assert_int_eq(crossing_now(), 0);
+}
+
+START_TEST(what_begins_to_be_asked_for_is_found)
+{
+    ask_later(true);
+    proof.keeps = 0;
+    ask_later(false);
 }
 END_TEST
 
@@ -750,6 +781,7 @@ int main(void)
         what_shivers_a_little_never_crosses,
         what_is_hopeless_hides_no_other_crossing,
         what_sleeps_is_not_looked_at,
+        what_begins_to_be_asked_for_is_found,
         a_way_of_no_time_is_not_proved,
         what_is_worn_to_pieces_is_all_found_again,
         a_patch_loses_room_by_its_own_ways_only,

@@ -140,12 +140,21 @@ static real sum_of_moves(const soft_frame *f, const body *b)
     return sum;
 }
 
+// What nothing pins or touches gets no turn from its own links.
+static bool is_alone(const soft_solver *s, const soft_frame *f, const body *b)
+{
+    bool is_any = s->held[b - f->body];
+    for (int i = b->first; i < b->first + body_particles(b); i++)
+        is_any |= f->hold[i].state >= LINE_TOUCHES;
+    return !is_any;
+}
+
 static void bend_particles(soft_solver *s, const soft_frame *f, int number)
 {
     const body *b = &f->body[number];
     particle *p = f->particle + b->first;
     int n = body_particles(b);
-    bool is_free = b->bending > 0 && !s->held[number];
+    bool is_free = b->bending > 0 && is_alone(s, f, b);
     angular was = { .sum = { 0, 0, 0 } };
     if (is_free) was = angular_measure(p, n);
     bend_relax(b->shape, b->bending, p, f->h, s->bends);
@@ -157,6 +166,7 @@ void soft_move(soft_solver *s, const soft_frame *f)
     for (int n = 0; n < f->softs; n++) {
         const body *x = &f->body[f->soft[n]];
         if (!soft_moves(f, f->soft[n])) continue;
+        s->owed[f->soft[n]] = (vec3){ 0, 0, 0 };
         fall_particles(f, x);
         if (s->sunk[f->soft[n]] != SUNK_NOT)
             s->fallen[f->soft[n]] = sum_of_moves(f, x);
@@ -246,15 +256,6 @@ static void remember_sweeps(int *sweeps, line_result l, real tolerance)
     *sweeps = l.steps - is_spared;
 }
 
-// What nothing pins or touches gets no turn from its own strands.
-static bool is_alone(const soft_solver *s, const soft_frame *f, const body *b)
-{
-    bool is_any = s->held[b - f->body];
-    for (int i = b->first; i < b->first + body_particles(b); i++)
-        is_any |= f->hold[i].state >= LINE_TOUCHES;
-    return !is_any;
-}
-
 static void relax_soft(soft_solver *s, const soft_frame *f, const body *b,
                        line_hold *hold)
 {
@@ -267,11 +268,9 @@ static void relax_soft(soft_solver *s, const soft_frame *f, const body *b,
     int *fewest = &s->sweeps[b - f->body];
     if (!is_held || shape_directions(plan) < 2) *fewest = 0;
     bool is_free = is_alone(s, f, b);
-    vec3 *owed = &s->owed[b - f->body];
     angular was = { .sum = { 0, 0, 0 } };
     if (is_free) was = angular_measure(p, plan->particles);
-    was.sum = vec3_add(was.sum, *owed);
-    *owed = (vec3){ 0, 0, 0 };
+    if (hold) was.sum = vec3_add(was.sum, s->owed[b - f->body]);
     line_result l = lines_relax(plan, p, *fewest, f->iterations, o, hold, give,
                                 b->line);
     if (is_free) angular_restore(was, p, plan->particles);

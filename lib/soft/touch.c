@@ -284,7 +284,8 @@ static bool touch_fixed(const soft_frame *f, int i, surface_point at,
     particle *p = &f->particle[i];
     line_hold *hold = &f->hold[i];
     real depth = apart - vec3_dot(vec3_sub(p->position, at.at), at.normal);
-    if (!(depth > 0) || !(depth < HUGE_VAL)) return false;
+    real reach = depth + pressed_into(hold, at.normal);
+    if (!(reach > 0) || !(depth < HUGE_VAL)) return false;
     if (p->inverse_mass == 0) return true;
     real came = vec3_dot(vec3_sub(p->previous, p->position), at.normal);
     note_old(f, f->owner[i], depth - came, apart);
@@ -353,7 +354,9 @@ static bool touch_body(const rigid_view *v, const soft_frame *f,
     particle *p = &f->particle[pair.particle];
     surface_point at;
     const body *rigid = &f->body[pair.rigid];
-    if (!nearest_outside(&v->hull, p->position, &pair, apart, &at)) return false;
+    real reach = apart;
+    if (body_is_fixed(rigid)) reach += vec3_length(f->hold[pair.particle].pull);
+    if (!nearest_outside(&v->hull, p->position, &pair, reach, &at)) return false;
     if (body_is_fixed(rigid)) return touch_fixed(f, pair.particle, at, apart, m);
     soft_touch x = { f, v, &f->body[pair.soft], body_whole(rigid, pair.rigid), 1,
                 { pair.particle }, { 1 }, at, apart, m.friction, false };
@@ -552,7 +555,7 @@ static bool touch_plane(const soft_frame *f, int i, plane wall, real apart,
     vec3 x = f->particle[i].position;
     real up = plane_height(wall, x);
     // Most are far above it.  What is no number is not, and is asked.
-    if (up > apart) return false;
+    if (up > apart + pressed_into(&f->hold[i], wall.normal)) return false;
     vec3 foot = vec3_add_scaled(x, -up, wall.normal);
     return touch_fixed(f, i, (surface_point){ foot, wall.normal }, apart, m);
 }

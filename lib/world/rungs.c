@@ -306,7 +306,6 @@ static void request_for_contacts(world *w)
         i->squares += borne * borne;
         i->bears += borne > 0;
         if (x->sides == DRIVEN_SIDED) judge_island(w, i, x->a, x->b);
-        if (x->sides == DRIVEN_SIDED) i->is_fast |= rungs_sweeps(w, x->a, x->b);
         i->turn = real_max(i->turn, turn_of(w, x->a));
         if (x->sides != ONE_SIDED)
             i->turn = real_max(i->turn, turn_of(w, x->b));

@@ -186,7 +186,6 @@ void blow_forget(contact_solver *s)
         // ground would push back: boxes that tumble would gain energy.
         real4 fraction = real4_if_positive(all, real4_div(left, all), zero);
         fraction = real4_if_positive(k->struck, zero, fraction);
-        k->struck = zero;
         for (int i = 0; i < RUBS; i++)
             k->rub[i] = real4_mul(fraction, k->rub[i]);
     }

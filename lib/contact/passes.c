@@ -812,7 +812,7 @@ ALWAYS_INLINE real4 push_points(block *k, const solver_pass *q, pushing *w,
         push_point(p, real4_sub(p->impulse, step), inverse, &w->parting,
                    &w->sum, &w->u, two);
         pushes = real4_add(pushes, real4_if_positive(open, p->impulse, zero));
-        k->struck = real4_add(k->struck, striking(q, open, speed, p->impulse));
+        k->struck = real4_mad(on, striking(q, open, speed, p->impulse), k->struck);
     }
     return pushes;
 }
@@ -840,15 +840,16 @@ ALWAYS_INLINE void push_block(block *k, const solver_pass *q, bool two,
 //> passes-friction
 // Coulomb: what acts across is at most friction times what acts along, and the
 // twist at most that with the lever of each point.
-ALWAYS_INLINE void twist_block(block *k, real4 most, sides4 *u, bool two)
+ALWAYS_INLINE void twist_block(block *k, real4 most, real4 on, sides4 *u,
+                               bool two)
 {
     real4 speed = part_turns(k->rub_a[TWIST], k->rub_b[TWIST], u, two);
     real4 twist = real4_sub(k->rub[TWIST],
                             real4_mul(k->twist_mass, speed));
     twist = real4_max(real4_min(twist, most),
                       real4_sub(real4_all(0), most));
-    real4 change = real4_sub(twist, k->rub[TWIST]);
-    k->rub[TWIST] = twist;
+    real4 change = real4_mul(on, real4_sub(twist, k->rub[TWIST]));
+    k->rub[TWIST] = real4_add(k->rub[TWIST], change);
     push_turns(k->rub_a[TWIST], k->rub_b[TWIST], change, u, two);
 }
 
@@ -858,7 +859,8 @@ ALWAYS_INLINE real4 slide_point(const block *k, int i, const sides4 *u, bool two
                      part_turns(k->rub_a[i], k->rub_b[i], u, two));
 }
 
-ALWAYS_INLINE void brake_block(block *k, real4 most, sides4 *u, bool two)
+ALWAYS_INLINE void brake_block(block *k, real4 most, real4 on, sides4 *u,
+                               bool two)
 {
     const real4 *mass = k->across_mass, one = real4_all(1);
     const real4 least = real4_all(1e-300);      // no length is 0 below
@@ -872,8 +874,8 @@ ALWAYS_INLINE void brake_block(block *k, real4 most, sides4 *u, bool two)
     real4 fraction = real4_min(real4_div(most, real4_max(length, least)), one);
     for (int i = 0; i < 2; i++) {
         impulse[i] = real4_mul(fraction, impulse[i]);
-        real4 change = real4_sub(impulse[i], k->rub[i]);
-        k->rub[i] = impulse[i];
+        real4 change = real4_mul(on, real4_sub(impulse[i], k->rub[i]));
+        k->rub[i] = real4_add(k->rub[i], change);
         push_centers(k, k->across[i], change, u, two);
         push_turns(k->rub_a[i], k->rub_b[i], change, u, two);
     }
@@ -883,8 +885,9 @@ ALWAYS_INLINE void brake_block(block *k, real4 most, sides4 *u, bool two)
 //> passes-relax
 //>   As the push does, the relax pass leaves a point alone that is open and
 //>   closes fast, if it will have an impact (chapter 15).
-ALWAYS_INLINE void relax_once(block *k, const solver_pass *q, sides4 *side,
-                              bool two, bool has_impacts)
+// A round over the points, and their friction, where `on` is 1 and not 0.
+ALWAYS_INLINE void relax_once(block *k, const solver_pass *q, real4 on,
+                              sides4 *side, bool two, bool has_impacts)
 {
     const real4 zero = real4_all(0), per_h = real4_all(q->per_h);
     const real4 friction = k->friction;
@@ -898,29 +901,38 @@ ALWAYS_INLINE void relax_once(block *k, const solver_pass *q, sides4 *side,
                                 part_turns(p->turn_a, p->turn_b, &u, two));
         if (has_impacts) speed = leave_impacts(k, q, speed, p->impulse);
         real4 then = real4_mad(real4_max(gap, zero), per_h, speed);
-        push_point(p, real4_sub(p->impulse, real4_mul(p->mass, then)),
-                   inverse, &parting, &sum, &u, two);
-        k->struck = real4_add(k->struck, striking(q, gap, speed, p->impulse));
+        real4 step = real4_mul(on, real4_mul(p->mass, then));
+        push_point(p, real4_sub(p->impulse, step), inverse, &parting, &sum, &u,
+                   two);
+        k->struck = real4_mad(on, striking(q, gap, speed, p->impulse), k->struck);
         along = real4_add(along, p->impulse);
         moment = real4_mad(p->lever, p->impulse, moment);
     }
     push_centers(k, k->normal, sum, &u, two);
     if (k->rubs || real4_any(along)) {
-        if (k->points > 1) twist_block(k, real4_mul(friction, moment), &u, two);
-        brake_block(k, real4_mul(friction, along), &u, two);
+        if (k->points > 1) twist_block(k, real4_mul(friction, moment), on, &u, two);
+        brake_block(k, real4_mul(friction, along), on, &u, two);
         k->rubs = real4_any(along);
     }
     *side = u;
 }
 
+// What strikes, and a contact that brings no impulse along, has yet to find its
+// impulses, and what its points and its friction have not found together in a substep
+// turns its bodies.  A block that ought to stand on a slope toppled, and a box that
+// fell flat and slid was thrown up.  So these go on in turn as well, once for each
+// point.
 ALWAYS_INLINE void relax_block(block *k, const solver_pass *q, bool two,
                                bool has_impacts)
 {
     see_block(k, q, two);
     sides4 u = take_sides(k, q->velocity, two);
     if (k->is_stale && !wakes(k, q, &u, two)) return;
-    for (int round = 0; round < q->rounds; round++)
-        relax_once(k, q, &u, two, has_impacts);
+    real4 all = k->place[0].has;
+    relax_once(k, q, all, &u, two, has_impacts);
+    real4 on = q->carries ? real4_if_positive(k->struck, all, real4_all(0)) : all;
+    for (int i = 1; i < CONTACT_POINTS && real4_any(on); i++)
+        relax_once(k, q, on, &u, two, has_impacts);
     give_sides(k, q->velocity, &u, two);
 }
 //<
@@ -929,6 +941,7 @@ ALWAYS_INLINE void relax_block(block *k, const solver_pass *q, bool two,
 //>   Warm start: the impulses of the last substep act again.
 ALWAYS_INLINE void warm_block(block *k, const solver_pass *q, bool two)
 {
+    k->struck = real4_all(0);
     if (!acts(k)) return;
     sides4 u = take_sides(k, q->velocity, two);
     real4 sum = real4_all(0);

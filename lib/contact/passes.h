@@ -289,7 +289,7 @@ typedef struct {
     real slowest;           // m/s, what closes more slowly does not strike
     softness soft[SIDES];
     int first, count, sides;    // the blocks of a colour,
-    int rounds;                 // and how often relax goes over each
+    bool carries;               // and whether they bring impulses along
     const solver_frame *f;
 } solver_pass;
 

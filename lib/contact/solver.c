@@ -311,10 +311,6 @@ static softness softness_of(const solver_frame *f, int sides)
     return (softness){ omega / a1, a2 * a3, a3 };
 }
 
-// A contact that brings no impulse along has yet to find it, and what its points and
-// its friction have not found together in a substep turns its bodies.  A block that
-// is set down on a slope, and ought to stand, got a speed that toppled it.  So those
-// are relaxed in turn as what strikes is pushed, once for each point.
 static void run_pass(contact_solver *s, const solver_frame *f,
                      motion *velocity, const motion *moved,
                      solver_work *work)
@@ -327,7 +323,7 @@ static void run_pass(contact_solver *s, const solver_frame *f,
         q.first = s->color[c].first;
         q.count = s->color[c].count;
         q.sides = s->color[c].sides;
-        q.rounds = s->color[c].carries ? 1 : CONTACT_POINTS;
+        q.carries = s->color[c].carries;
         tasks none = { 0 };
         tasks_run(s->color[c].is_crowded ? none : f->run, work, &q,
                   task_items(q.count, FEW_BLOCKS));

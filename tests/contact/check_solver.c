@@ -170,13 +170,14 @@ static void run_both(pile *p, pile *q, int substeps)
 {
     contact *list[PILE_CONTACTS];
     static real gap[PILE_CONTACTS][CONTACT_POINTS];
-    static bool is_first[PILE_CONTACTS];
+    static bool is_first[PILE_CONTACTS], strikes[PILE_CONTACTS];
+    p->frame.gravity = q->frame.gravity = GRAVITY;
     pile_find(p);
     prepare(p);
     q->frame.body = q->body;
     q->frame.plane = q->plane;
     plain_solver s = { &q->frame, list, order_of_blocks(q, list), gap,
-                       q->velocity, q->moved, q->body, is_first };
+                       q->velocity, q->moved, q->body, is_first, strikes };
     plain_begin(&s);
     for (int n = 0; n < substeps; n++) {
         push(p, GRAVITY);
@@ -469,7 +470,7 @@ START_TEST(gaps_are_seen_again_where_bodies_have_been_moved)
     static real gap[PILE_CONTACTS][CONTACT_POINTS];
     static rigid_frame here[PILE_BODIES];
     static char all[PILE_BODIES];
-    static bool is_first[PILE_CONTACTS];
+    static bool is_first[PILE_CONTACTS], strikes[PILE_CONTACTS];
     memset(all, 1, sizeof all);
     for (int n = 0; n < 50; n++) {
         pile_any(&one, 20, 40, 0);
@@ -481,7 +482,8 @@ START_TEST(gaps_are_seen_again_where_bodies_have_been_moved)
         other = one;
         prepare(&one);
         plain_solver s = { &other.frame, list, order_of_blocks(&other, list),
-                           gap, other.velocity, other.moved, other.body, is_first };
+                           gap, other.velocity, other.moved, other.body, is_first,
+                           strikes };
         other.frame.body = other.body;
         other.frame.plane = other.plane;
         plain_begin(&s);

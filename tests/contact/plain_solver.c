@@ -148,6 +148,12 @@ static contact_arms arms_of(const plain_solver *s, int i, int k)
                            c->b < 0 ? NULL : place_of(s, c->b));
 }
 
+// m/s: what closes faster strikes.
+static real slowest_of(const plain_solver *s)
+{
+    return 2 * vec3_length(s->frame->gravity) * s->frame->h;
+}
+
 // Does a point push that is open?
 static bool solve_normals(plain_solver *s, int i, softness soft, bool relaxes)
 {
@@ -174,6 +180,8 @@ static bool solve_normals(plain_solver *s, int i, softness soft, bool relaxes)
         c->impulse[k] = real_max(was - mass * lacking - leak, 0);
         apply(&p, arm, vec3_scale(c->impulse[k] - was, n));
         strikes |= open && c->impulse[k] > 0;
+        s->strikes[i] |= (relaxes ? gap > 0 : open) && c->impulse[k] > 0
+                      && speed <= -slowest_of(s);
     }
     return strikes;
 }
@@ -187,6 +195,7 @@ void plain_push(plain_solver *s)
                       && p.basis[1]->inverse_mass > 0;
         softness soft = plain_softness(s->frame, both_move);
         bool strikes = solve_normals(s, i, soft, false);
+        strikes &= s->contact[i]->count > 1;
         for (int k = 1; strikes && k < CONTACT_POINTS; k++)
             solve_normals(s, i, soft, false);
     }
@@ -294,11 +303,14 @@ static void relax(plain_solver *s, int i)
     solve_across(&p, c, f.arm, s->frame->friction * contact_load(c));
 }
 
-// A contact that brought no impulse along has yet to find it.
+// A contact that brought no impulse along has yet to find it, and what strikes too.
 void plain_relax(plain_solver *s)
 {
-    for (int i = 0; i < s->contacts; i++)
-        for (int round = 0; round < (s->is_first[i] ? 4 : 1); round++) relax(s, i);
+    for (int i = 0; i < s->contacts; i++) {
+        relax(s, i);
+        bool seeks = s->is_first[i] || s->strikes[i];
+        for (int k = 1; seeks && k < CONTACT_POINTS; k++) relax(s, i);
+    }
 }
 //<
 
@@ -325,6 +337,7 @@ void plain_warm_start(plain_solver *s)
     for (int i = 0; i < s->contacts; i++) {
         contact *c = s->contact[i];
         pair p = pair_of(s, c);
+        s->strikes[i] = false;
         for (int k = 0; k < c->count; k++) {
             contact_arms at = arms_of(s, i, k);
             const vec3 arm[2] = { at.a, at.b };

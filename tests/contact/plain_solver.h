@@ -20,6 +20,7 @@ typedef struct {
     motion *moved;                  // [bodies + 1] of what lies, since then
     solver_body *body;              // [bodies] where they stand now
     bool *is_first;                 // [contacts] no impulse was brought along
+    bool *strikes;                  // [contacts] a point has struck in this substep
 } plain_solver;
 
 // The start of a frame.

@@ -2,7 +2,7 @@
 # they no more than they were?   sh tests/script/check_ledger.sh
 
 # The list must only become shorter.
-MOST=80
+MOST=79
 
 export LC_ALL=C
 work=$(mktemp -d) || exit 1

@@ -21,7 +21,7 @@ static unsigned long long seed = 3;
 
 static solver_body body[BODIES];
 static contact table[CONTACTS], *list[CONTACTS];
-static bool is_first[CONTACTS];
+static bool is_first[CONTACTS], strikes[CONTACTS];
 static real reach[CONTACTS], gap[CONTACTS][CONTACT_POINTS];
 static motion velocity[BODIES + 1], moved[BODIES + 1];
 static plane ground = { { 0, 1, 0 }, 0 };
@@ -31,7 +31,8 @@ static solver_frame frame = { .body = body, .bodies = BODIES, .plane = &ground,
 static contact_solver solver;
 static plain_solver plain = { .frame = &frame, .contact = list, .gap = gap,
                               .velocity = velocity, .moved = moved,
-                              .body = body, .is_first = is_first };
+                              .body = body, .is_first = is_first,
+                              .strikes = strikes };
 
 // Icosahedra of 1 kg, with a radius of half a metre.
 static void make_bodies(void)

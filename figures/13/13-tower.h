@@ -17,7 +17,7 @@ typedef struct {
     solver_body body[TOWER];
     contact contact[TOWER], *list[TOWER];
     real gap[TOWER][CONTACT_POINTS];
-    bool is_first[TOWER];
+    bool is_first[TOWER], strikes[TOWER];
     motion velocity[TOWER + 1], moved[TOWER + 1];
     plane ground;
     solver_frame frame;
@@ -102,7 +102,7 @@ static void tower_frame(tower *t)
 {
     tower_find(t);
     plain_solver s = { &t->frame, t->list, t->cubes, t->gap, t->velocity,
-                       t->moved, t->body, t->is_first };
+                       t->moved, t->body, t->is_first, t->strikes };
     plain_begin(&s);
     for (int n = 0; n < t->substeps; n++) {
         for (int b = 0; b < t->cubes; b++)

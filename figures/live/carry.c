@@ -18,7 +18,8 @@ static int frame, substep, slow_until, at;      // at: the contact that pushes
 static plain_solver part(int first, int n)
 {
     return (plain_solver){ &pile.frame, pile.list + first, n, pile.gap + first, pile.velocity,
-                           pile.moved, pile.body, pile.is_first + first };
+                           pile.moved, pile.body, pile.is_first + first,
+                           pile.strikes + first };
 }
 
 static real push_of(int b) { return contact_load(&pile.contact[b]) / pile.frame.h; }

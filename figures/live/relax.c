@@ -19,7 +19,8 @@ static int frame, substep;
 
 static plain_solver solver_of(tower *t)
 {
-    return (plain_solver){ &t->frame, t->list, t->cubes, t->gap, t->velocity, t->moved, t->body, t->is_first };
+    return (plain_solver){ &t->frame, t->list, t->cubes, t->gap, t->velocity, t->moved, t->body,
+                           t->is_first, t->strikes };
 }
 
 static real height(int k) { return box[k].body[0].frame.center.y; }

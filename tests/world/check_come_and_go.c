@@ -347,7 +347,9 @@ END_TEST
 
 // --- anything ----------------------------------------------------------------
 
-// Bodies of all kinds come and go at random, and nothing is lost.
+// Bodies of all kinds come and go at random, and nothing is lost.  They appear within
+// each other, which strains cloth while they part; a third of a second later it has
+// its lengths again.
 START_TEST(anything_may_come_and_go)
 {
     const shape *all[] = { &box, &ball, &cloth, &rope, &slab, &small_cloth };
@@ -369,8 +371,9 @@ START_TEST(anything_may_come_and_go)
         for (int b = 0; b < w.bodies; b++)
             for (int i = 0; i < body_particles(&w.body[b]); i++)
                 ck_assert(vec3_is_finite(particle_of(b, i)->position));
+        steps(20);
         measures m = world_measure(&w);
-        ck_assert_msg(m.strain < 0.2, "strain %g", m.strain);
+        ck_assert_msg(m.strain < 0.01, "strain %g", m.strain);
     }
 }
 END_TEST

@@ -218,10 +218,16 @@ START_TEST(what_a_body_touched_is_forgotten_with_it)
                                : add_at(&box, 0, 0.5, 0);
         int upper = add_at(&box, 0, again == 1 ? 1 : 1.5, 0);
         add_floor();
-        ck_assert(!(world_measure(&w).strain > 0.02) || w.report.unconverged > 0);
-        steps(60);
-        measures m = world_measure(&w);
-        ck_assert_msg(m.strain < 0.05, "strain %g", m.strain);
+        steps(20);
+        world_remove(&w, lower);
+        if (again == 2) ck_assert_int_eq(add_at(&ball, 50, 9, 0), lower);
+        if (again == 1) ck_assert_int_eq(add_at(&box, 0, 9, 0), lower);
+        ck_assert_int_eq(probe_points(&w, lower), 0);
+        real start = height(upper), dt = w.options.dt;
+        steps(6);
+        near(start - height(upper), 9.81 * 36 * dt * dt / 2, 0.004);
+        if (again == 0) continue;
+        near(9 - height(lower), 9.81 * 36 * dt * dt / 2, 1e-9);
     }
 }
 END_TEST
@@ -365,9 +371,10 @@ START_TEST(anything_may_come_and_go)
         for (int b = 0; b < w.bodies; b++)
             for (int i = 0; i < body_particles(&w.body[b]); i++)
                 ck_assert(vec3_is_finite(particle_of(b, i)->position));
-        steps(20);
+        ck_assert(!(world_measure(&w).strain > 0.02) || w.report.unconverged > 0);
+        steps(60);
         measures m = world_measure(&w);
-        ck_assert_msg(m.strain < 0.01, "strain %g", m.strain);
+        ck_assert_msg(m.strain < 0.05, "strain %g", m.strain);
     }
 }
 END_TEST

@@ -1,5 +1,5 @@
-// front.c - joints are eliminated one after the other, and those that have a body in
-// common wait: a front goes through a chain, a tree, a ring, a net (chapter 17).
+// front.c - joints are solved one after the other, and bodies that still have joints
+// wait: a front goes through a chain, a tree, a ring, a net (chapter 17).
 
 #include "join.h"
 #include "live.h"
@@ -84,38 +84,32 @@ static void begin(void)
 
 // --- Frames -----------------------------------------------------------------------
 static const linkage *joints(void) { return &links.joints; }
-
-// How many later joints does the step move?
-static int links_of(int k)
-{
-    int n = 0;
-    for (int p = joints()->rows[joints()->member[k]].link; p >= 0; p = joints()->link[p].next) n++;
-    return n;
-}
+static const linkage_step *this_step(void) { return &joints()->step[at]; }
 
 static int widest(void)
 {
     int most = 0;
-    for (int k = 0; k < joints()->members; k++) most = int_max(most, links_of(k));
+    for (int k = 0; k < joints()->steps; k++) most = int_max(most, joints()->step[k].count);
     return most;
 }
 
 static void tell(void)
 {
-    int n = links_of(at), steps = joints()->members;
-    if (now == INWARD && n == 0) live_say("Joint %d of %d. No later joint has a body in common with it.", at + 1, steps);
-    else if (now == INWARD) live_say("Joint %d of %d. It moves %d later joint%s: what they want changes, and how they move each other.", at + 1, steps, n, n == 1 ? "" : "s");
+    int n = this_step()->count, steps = joints()->steps;
+    if (now == INWARD && n == 0) live_say("Joint %d of %d. No body waits any more.", at + 1, steps);
+    else if (now == INWARD && n == 1) live_say("Joint %d of %d. One body of this front waits for another joint: one block.", at + 1, steps);
+    else if (now == INWARD) live_say("Joint %d of %d. Now %d bodies of this front wait, and an impulse on one moves all: %d blocks.", at + 1, steps, n, n * n);
     else if (now == OUTWARD) live_say("And back: what the later joints give is known, so joint %d is known.", at + 1);
-    else live_say("All %d joints hold. The most that one had to tell was %d.", steps, widest());
-    live_light(now != INWARD ? "" : frame < PACE / 2 ? "for (int p = r->link" : "y->want[c] += x->of[i][c]");
+    else live_say("All %d joints hold. The widest front had %d bod%s.", steps, widest(), widest() == 1 ? "y" : "ies");
+    live_light(now != INWARD ? "" : frame < PACE / 3 ? "take_speed(r->want, n, r->a" : frame < 2 * PACE / 3 ? "small_times(n, r->inverse" : "drive_by(l->body[l->reach[i].body]");
 }
 
 static void step(void)
 {
-    if (!is_ready || joints()->members == 0) return;
+    if (!is_ready || joints()->steps == 0) return;
     if (++frame >= (now == INWARD ? PACE : now == OUTWARD ? BACK : REST)) {
         frame = 0;
-        if (now == INWARD && ++at == joints()->members) now = OUTWARD;
+        if (now == INWARD && ++at == joints()->steps) now = OUTWARD;
         if (now == OUTWARD && --at < 0) now = DONE, at = 0;
         else if (now == DONE) now = INWARD;
     }
@@ -134,7 +128,7 @@ static void press(int button)
 static int step_of(int number)
 {
     int k = 0;
-    while (k < joints()->members && joints()->member[k] != number) k++;
+    while (k < joints()->steps && joints()->step[k].joint != number) k++;
     return k;
 }
 
@@ -160,7 +154,7 @@ static live_colour body_colour(int b)
     int solved, left;
     count_joints(b, &solved, &left);
     if (now == INWARD) return solved == 0 ? LIVE_BLUE : left > 0 ? LIVE_ORANGE : LIVE_GREY;
-    return now == DONE || left > 0 || at == joints()->members - 1 ? LIVE_GREEN : LIVE_GREY;
+    return now == DONE || left > 0 || at == joints()->steps - 1 ? LIVE_GREEN : LIVE_GREY;
 }
 
 static void draw_web(void)
@@ -174,31 +168,36 @@ static void draw_web(void)
     for (int b = 0; b < web.bodies; b++) live_circle(body_colour(b), web.at[b], 0.17);
 }
 
+// Which places of the bodies' own order does step k couple?
+static int places(int k, int *out)
+{
+    const linkage_step *s = &joints()->step[k];
+    for (int i = 0; i < s->count; i++) out[i] = joints()->body[joints()->reach[s->first + i].body].place;
+    return s->count;
+}
+
 static void draw_cell(live_colour c, int row, int column)
 {
-    real d = 2.6 / web.joints, x = -1.3 + d * column, y = 1.3 - d * row, e = 0.9 * d;
+    real d = 2.6 / web.bodies, x = -1.3 + d * column, y = 1.3 - d * row, e = 0.9 * d;
     live_band(c, (vec3[]){ { x, y, 0 }, { x + e, y, 0 }, { x + e, y - e, 0 }, { x, y - e, 0 } }, 4);
 }
 
-// A block for each two joints of which one moves the bodies of the other, in the order of
-// elimination.
+// A block for each two bodies of which one answers impulses on the other.
 static void draw_matrix(void)
 {
-    live_colour cell[JOINTS][JOINTS];
-    for (int i = 0; i < web.joints; i++)
-        for (int j = 0; j < web.joints; j++) cell[i][j] = i == j ? LIVE_QUIET : LIVE_INK;
-    for (int k = 0; k < joints()->members && (now != INWARD || k <= at); k++) {
-        live_colour c = k == at && now != DONE ? LIVE_ORANGE : LIVE_QUIET;
-        cell[k][k] = c;
-        for (int p = joints()->rows[joints()->member[k]].link; p >= 0; p = joints()->link[p].next) {
-            int other = step_of(joints()->link[p].joint);
-            cell[k][other] = cell[other][k] = c;
-        }
+    int first = joints()->groups > 0 ? joints()->group[0].first_body : 0;
+    live_colour cell[MOST][MOST];
+    for (int i = 0; i < web.bodies; i++)
+        for (int j = 0; j < web.bodies; j++) cell[i][j] = LIVE_INK;
+    for (int k = 0; k < joints()->steps && (now != INWARD || k <= at); k++) {
+        int place[MOST], n = places(k, place);
+        for (int i = 0; i < n; i++)
+            for (int j = 0; j < n; j++) cell[place[i] - first][place[j] - first] = k == at && now != DONE ? LIVE_ORANGE : LIVE_QUIET;
     }
     live_pane(MATRIX);
     live_line(LIVE_RULE, (vec3[]){ { -1.33, 1.33, 0 }, { 1.33, 1.33, 0 }, { 1.33, -1.33, 0 }, { -1.33, -1.33, 0 }, { -1.33, 1.33, 0 } }, 5);
-    for (int i = 0; i < web.joints; i++)
-        for (int j = 0; j < web.joints; j++)
+    for (int i = 0; i < web.bodies; i++)
+        for (int j = 0; j < web.bodies; j++)
             if (cell[i][j] != LIVE_INK) draw_cell(cell[i][j], i, j);
 }
 
@@ -212,14 +211,14 @@ static void draw(void)
 static unsigned long long hash(void)
 {
     unsigned long long h = live_hash(LIVE_HASH, (int[]){ (int)now, at, frame }, 3 * sizeof(int));
-    for (int k = 0; is_ready && k < joints()->members; k++)
-        h = live_hash(h, (int[]){ joints()->member[k], links_of(k) }, 2 * sizeof(int));
+    for (int k = 0; is_ready && k < joints()->steps; k++)
+        h = live_hash(h, (int[]){ joints()->step[k].joint, joints()->step[k].count }, 2 * sizeof(int));
     return h;
 }
 
 const live_figure figure = {
     .name = "front",
-    .says = "Bodies that hang together, whose joints are solved one after the other; beside them a block for each two joints of which one moves the other",
+    .says = "Bodies that hang together, whose joints are solved one after the other; beside them the blocks by which those that wait answer each other",
     .code = "lib/joint/linkage.c solve_inward",
     .pane = { [DRAWING] = { -1.9, -1.5, 3.8, 3 }, [MATRIX] = { -1.9, -1.5, 3.8, 3 } },
     .dial = { [FORM] = { "joined as a", NULL, 0, 3, 1, 2, "chain|tree|ring|net", true } },

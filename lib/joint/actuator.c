@@ -103,7 +103,7 @@ real actuator_inverse(const joint_rows *r, real mass_a, real mass_b)
     int last = r->held;
     for (int i = 0; i <= last; i++)
         for (int m = 0; m <= last; m++)
-            k[i][m] = joint_coupling(r, i, m, mass_a, mass_b);
+            k[i][m] = joint_coupling(JOINT_ROWS, r, i, m, mass_a, mass_b);
     small_invert(last + 1, k);
     return k[last][last] > 0 ? 1 / k[last][last] : 0;
 }
@@ -196,12 +196,18 @@ void actuator_begin(joint *j, joint_rows *r, real h, real kick)
     r->kept = j->impulse[r->held];
 }
 
-static void soften_drive(const joint *j, joint_rows *r)
+static void soften(const joint *j, joint_rows *r, int n,
+                   real k[JOINT_ROWS][JOINT_ROWS])
 {
-    real *give = &r->give[r->held];
-    r->hard = *give;
-    if (is_spring(&j->drive, r))        *give = 1 / r->slope;
-    else if (!is_hard(&j->drive))       *give = 0;
+    int own = r->held;
+    real hard = r->give[own];
+    real give = is_spring(&j->drive, r) ? 1 / r->slope : hard;
+    k[own][own] += give - hard;
+    r->hard = hard;
+    r->give[own] = give;
+    if (is_hard(&j->drive) || is_spring(&j->drive, r)) return;
+    for (int i = 0; i < n; i++) k[own][i] = k[i][own] = 0;
+    r->give[own] = 0;
 }
 
 // From here to a limit, at its end; what has passed it comes back as errors do.
@@ -290,19 +296,23 @@ static bool holds_cone(const joint *j, int i)
     return j->is_coned && i < 2 && j->cone_holds[i];
 }
 
-static void open_ball(const joint *j, joint_rows *r)
+static void open_ball(const joint *j, joint_rows *r, int n,
+                      real k[JOINT_ROWS][JOINT_ROWS])
 {
     bool rubs = j->friction > 0 && !j->slips;
     for (int i = 0; i < j->extra; i++) {
-        r->firm[i] = r->give[r->held + i];
-        if (!holds_cone(j, i) && !rubs) r->give[r->held + i] = 0;
+        int own = r->held + i;
+        r->firm[i] = r->give[own];
+        if (holds_cone(j, i) || rubs) continue;
+        for (int m = 0; m < n; m++) k[own][m] = k[m][own] = 0;
     }
 }
 
-void actuator_soften(const joint *j, joint_rows *r)
+void actuator_weigh(const joint *j, joint_rows *r, int n,
+                    real k[JOINT_ROWS][JOINT_ROWS])
 {
-    if (j->kind == JOINT_BALL)  open_ball(j, r);
-    else                        soften_drive(j, r);
+    if (j->kind == JOINT_BALL)  open_ball(j, r, n, k);
+    else                        soften(j, r, n, k);
 }
 
 real actuator_bias_cone(const joint *j, joint_rows *r, int i, real h,

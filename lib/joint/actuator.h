@@ -43,9 +43,10 @@ real actuator_inverse(const joint_rows *r, real mass_a, real mass_b);
 // Finds what the spring gives.  A motor or spring at its most gives just that.
 void actuator_begin(joint *j, joint_rows *r, real h, real kick);
 
-// Once the compliance of hard rows is known: sets that of a soft row, and to 0 that of
-// a row that does not hold now.
-void actuator_soften(const joint *j, joint_rows *r);
+// Once K, the matrix k of all n rows, and the compliance of hard rows are known: adds
+// the compliance of a soft row, and clears a row that does not hold now.
+void actuator_weigh(const joint *j, joint_rows *r, int n,
+                    real k[JOINT_ROWS][JOINT_ROWS]);
 
 // Finds the speed of a drive, and the speeds that its limits allow, from the place at
 // the end of the substep, or, if that is NULL, for a motion at `speed`.  Returns what

@@ -220,6 +220,7 @@ static void lock_errors(const joint *j, const rigid_frame *a,
     int n = 0;
     for (int k = 0; k < JOINT_ROWS; k++)
         if (is_locked(j, k)) e[n++] = all[k];
+    if (n == 3) e[n] = 0;
 }
 
 static void write_vec3(real e[3], vec3 v)
@@ -437,6 +438,9 @@ static void find_lock_rows(joint_rows *r, const joint *j, const joint_side *a,
     r->lengths = r->held;
     for (int k = 0; k < 3; k++)
         if (is_locked(j, 3 + k)) relative_turn_row(r, r->held++, a, b, AXIS[k]);
+    if (r->held != 3) return;
+    // Three rows are taken for those of a ball joint (linkage.c).
+    relative_turn_row(r, r->held++, a, b, vec3_make(0, 0, 0));
 }
 
 // A length that must not change is one row; a least and a most are a limit, the

@@ -119,11 +119,8 @@ typedef struct {
     bool is_free;               // its tree is joined to nothing immovable
     real pushed[JOINT_ROWS];    // the impulse before the bodies moved, and that of the
     real older[JOINT_ROWS];     // substep before
-    real answer_a[JOINT_ROWS][MOTIONS];     // how A and B move after unit impulses
-    real answer_b[JOINT_ROWS][MOTIONS];     // along the rows
     real inverse[JOINT_ROWS][JOINT_ROWS];   // of K
-    real give[JOINT_ROWS];      // 1/kg, 1/(kg m^2), compliance: what is added to K;
-                                // 0: the row holds nothing now
+    real give[JOINT_ROWS];      // 1/kg, 1/(kg m^2), compliance: what is added to K
     real fraction;              // of an error that a substep takes back
     real swing;                 // 1/(kg m), see linkage.c
     real hung;                  // rad/s, of a swing under a body's own weight
@@ -145,8 +142,6 @@ typedef struct {
     real pace;                  // rad/s, of the fastest swing about it in the
                                 // last frame
     int  next[2];               // in the lists of A's and B's joints; -1: none
-    int  place;                 // when it is eliminated
-    int  link;                  // the first of its links (linkage.h); -1: none
 } joint_rows;
 
 // One of the two bodies.
@@ -238,13 +233,25 @@ void joint_errors(const joint *j, const joint_rows *r, const rigid_frame *a,
 // zeros becomes zeros.
 void small_invert(int n, real m[JOINT_ROWS][JOINT_ROWS]);
 
-// K_kl: the speed along row l that a unit impulse along row k gives to bodies
+// Three rows are those of a ball joint, and row k of them moves the centre along axis k
+// only: its numbers are that one, and the turns.
+ALWAYS_INLINE int straight_first(int rows, int row)
+{
+    return rows == 3 ? row : 0;
+}
+
+ALWAYS_INLINE int straight_end(int rows, int row)
+{
+    return rows == 3 ? row + 1 : MOTION_TURN;
+}
+
+// K_kl of n rows: the speed along row l that a unit impulse along row k gives to bodies
 // of these inverse masses (1/kg).
-static inline real joint_coupling(const joint_rows *r, int k, int l, real mass_a,
-                                  real mass_b)
+ALWAYS_INLINE real joint_coupling(int n, const joint_rows *r, int k, int l,
+                                  real mass_a, real mass_b)
 {
     real straight_a = 0, straight_b = 0, turning = 0;
-    for (int i = 0; i < MOTION_TURN; i++) {
+    for (int i = straight_first(n, k); i < straight_end(n, k); i++) {
         straight_a += r->a[k][i] * r->a[l][i];
         straight_b += r->b[k][i] * r->b[l][i];
     }

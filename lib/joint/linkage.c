@@ -11,8 +11,8 @@
 
 void linkage_free(linkage *l)
 {
-    void *owned[] = { l->joint, l->rows, l->group, l->member, l->order, l->link,
-                      l->body, l->apart, l->tied };
+    void *owned[] = { l->joint, l->rows, l->role, l->step, l->group, l->order,
+                      l->reach, l->block, l->body, l->apart, l->tied };
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) free(owned[i]);
     *l = (linkage){ .count = 0 };
 }
@@ -25,8 +25,9 @@ static bool make_joint_room(linkage *l, const joint *j)
     if (room > l->capacity) {
         TABLE_GROW(ok, l->joint, n, room);
         TABLE_GROW(ok, l->rows, n, room);
+        TABLE_GROW(ok, l->role, n, room);
+        TABLE_GROW(ok, l->step, n, room);
         TABLE_GROW(ok, l->group, n, room);
-        TABLE_GROW(ok, l->member, n, room);
         TABLE_GROW(ok, l->apart, n, room);
         if (ok) l->capacity = room;
     }
@@ -96,6 +97,7 @@ status linkage_add(linkage *l, const joint *j, int *number)
     if (number) *number = k;
     l->joint[k] = *j;
     l->rows[k] = (joint_rows){ .count = 0 };
+    l->role[k] = JOINT_IDLE;
     mark_joined(l, j->a);
     mark_joined(l, j->b);
     if (j->kind == JOINT_PIN) linkage_count_pins(l);
@@ -108,6 +110,7 @@ void linkage_remove(linkage *l, int number)
     assert(l->joint[number].kind != JOINT_NONE);
     bool was_pin = l->joint[number].kind == JOINT_PIN;
     l->joint[number] = (joint){ .kind = JOINT_NONE };
+    l->role[number] = JOINT_IDLE;
     l->gone++;
     if (was_pin) linkage_count_pins(l);
 }
@@ -198,19 +201,12 @@ static bool find_end(linkage *l, const linkage_pass *q, int b)
     return false;
 }
 
-static void find_ends_of(linkage *l, const linkage_pass *q, const joint *j)
-{
-    find_end(l, q, j->a);
-    find_end(l, q, j->b);
-}
-
 // Where its joints bring it; after a jolt it goes as without them.
 void linkage_advance(linkage *l, const linkage_pass *q, int b, solver_body *now)
 {
     linkage_body *x = &l->body[b];
     find_end(l, q, b);
     *now = x->end;
-    x->has_end = false;
     q->velocity[b] = x->is_jolted ? x->rest : x->go;
     for (int t = 0; t < TURNS && x->is_jolted; t++)
         q->velocity[b].of[MOTION_TURN + t] = vec3_dot(now->basis.turn[t],
@@ -226,6 +222,16 @@ static const rigid_frame *end_of(const linkage *l, const linkage_pass *q, int b)
 //> linkage-apply
 //>   A row gives a speed, and takes an impulse. Both walk over the six numbers
 //>   of each body's motion.
+ALWAYS_INLINE real rows_dot(int rows, int k, const real row[MOTIONS],
+                            const real speed[MOTIONS])
+{
+    real sum = 0;
+    for (int i = straight_first(rows, k); i < straight_end(rows, k); i++)
+        sum += row[i] * speed[i];
+    for (int i = MOTION_TURN; i < MOTIONS; i++) sum += row[i] * speed[i];
+    return sum;
+}
+
 // drive += rows^T impulse; and speed -= rows velocity.  A compiler that sees a
 // sum of its own takes two of its numbers at a time.
 ALWAYS_INLINE void drive_by(real drive[MOTIONS], int rows, real (*row)[MOTIONS],
@@ -241,11 +247,8 @@ ALWAYS_INLINE void drive_by(real drive[MOTIONS], int rows, real (*row)[MOTIONS],
 ALWAYS_INLINE void take_speed(real *speed, int rows, real (*row)[MOTIONS],
                        const real velocity[MOTIONS])
 {
-    for (int k = 0; k < rows; k++) {
-        real sum = 0;
-        for (int i = 0; i < MOTIONS; i++) sum += row[k][i] * velocity[i];
-        speed[k] -= sum;
-    }
+    for (int k = 0; k < rows; k++)
+        speed[k] -= rows_dot(rows, k, row[k], velocity);
 }
 
 // How the turns of a heavy body have answered what it was given.
@@ -275,7 +278,6 @@ ALWAYS_INLINE void apply_impulse(linkage *l, const linkage_pass *q, int b,
     else for (int i = MOTION_TURN; i < MOTIONS; i++) u[i] += impulse[i];
 }
 
-// Most joints have three rows, and loops of a known length are quicker.
 ALWAYS_INLINE void push_body(linkage *l, const linkage_pass *q, int rows,
                              real (*row)[MOTIONS], int b, const real *impulse)
 {
@@ -301,10 +303,10 @@ static void push_both(linkage *l, const linkage_pass *q, const joint *j,
 //> linkage-want
 //>   Before the bodies move, the impulses must close the gap at the end of the
 //>   substep. After the move they must stop the relative speed. Only what is
-//>   wanted differs, so all that follows is told which it is (`at_end`).
+//>   wanted differs, so it is an argument of all that follows.
 // How fast a joint's errors must change.  A body that turns takes a point along
 // an arc: where the points will be at the end of the substep is looked up.
-static void want_at_end(const linkage *l, const linkage_pass *q, int number,
+static void bias_to_end(const linkage *l, const linkage_pass *q, int number,
                         real then[JOINT_ROWS], real want[JOINT_ROWS])
 {
     const joint *j = &l->joint[number];
@@ -318,24 +320,39 @@ static void want_at_end(const linkage *l, const linkage_pass *q, int number,
     }
 }
 
-ALWAYS_INLINE void stop(int n, const linkage_pass *q, const joint *j, joint_rows *r,
-                        real want[JOINT_ROWS])
+static void bias_position(const linkage *l, const linkage_pass *q, int number,
+                          real want[JOINT_ROWS])
+{
+    real then[JOINT_ROWS];
+    bias_to_end(l, q, number, then, want);
+}
+
+ALWAYS_INLINE void stop(int n, const linkage_pass *q, const joint *j,
+                        joint_rows *r, real want[JOINT_ROWS])
 {
     if (moves(q->f, j->a)) take_speed(want, n, r->a, q->velocity[j->a].of);
     if (moves(q->f, j->b)) take_speed(want, n, r->b, q->velocity[j->b].of);
 }
 
-static void want_to_stop(const linkage_pass *q, const joint *j, joint_rows *r,
-                         real want[JOINT_ROWS])
+static void bias_velocity(const linkage *l, const linkage_pass *q, int number,
+                          real want[JOINT_ROWS])
 {
+    const joint *j = &l->joint[number];
+    joint_rows *r = &l->rows[number];
     int rows = r->held + j->is_limited;
     for (int k = 0; k < rows; k++) want[k] = 0;
     if (j->is_limited && r->error[r->held] > 0)
         want[r->held] = -r->error[r->held] / q->f->h;
-    if (rows == 3)  stop(3, q, j, r, want);
-    else            stop(rows, q, j, r, want);
+    if (j->kind == JOINT_BALL)  stop(3, q, j, r, want);
+    else                        stop(rows, q, j, r, want);
 }
 
+typedef void bias_function(const linkage *l, const linkage_pass *q, int number,
+                           real want[JOINT_ROWS]);
+//<
+
+//> linkage-driven
+//>   Where joints are driven, the row of a drive wants something of its own.
 // How fast the bodies of a joint go along row k.
 static real speed_along(const linkage_pass *q, const joint *j, joint_rows *r,
                         int k)
@@ -359,53 +376,52 @@ static void bias_friction(const linkage_pass *q, const joint *j, joint_rows *r,
     }
 }
 
-// What the rows of a joint want that are no plain ones.
-static void want_of_extra(const linkage_pass *q, const joint *j, joint_rows *r,
-                          const real *then, real want[JOINT_ROWS])
-{
-    real h = q->f->h, rate = q->f->joint_rate, speed[3];
-    for (int i = 0; i < j->extra; i++)
-        speed[i] = then ? 0 : speed_along(q, j, r, r->held + i);
-    for (int i = 0; i < 2 && j->is_coned; i++)
-        want[r->held + i] = actuator_bias_cone(j, r, i, h, rate,
-                                               then ? &then[r->held + i] : NULL,
-                                               speed[i]);
-    if (j->friction > 0) bias_friction(q, j, r, want);
-    if (j->is_driven)
-        want[r->held] = actuator_bias(j, r, h, rate, then ? &then[r->held] : NULL,
-                                      speed[0]);
-}
-
-// What the impulses of a joint should change: at the end of the substep its errors, or
-// now its speeds.
-static void find_want(linkage *l, const linkage_pass *q, int number, bool at_end,
-                      real want[JOINT_ROWS])
+static void bias_driven_position(const linkage *l, const linkage_pass *q,
+                                 int number, real want[JOINT_ROWS])
 {
     const joint *j = &l->joint[number];
     joint_rows *r = &l->rows[number];
-    real then[JOINT_ROWS];
-    if (at_end) want_at_end(l, q, number, then, want);
-    else        want_to_stop(q, j, r, want);
-    if (j->extra > 0) want_of_extra(q, j, r, at_end ? then : NULL, want);
+    real h = q->f->h, rate = q->f->joint_rate, then[JOINT_ROWS];
+    bias_to_end(l, q, number, then, want);
+    for (int i = 0; i < 2 && j->is_coned; i++)
+        want[r->held + i] = actuator_bias_cone(j, r, i, h, rate, &then[r->held + i], 0);
+    if (j->friction > 0) bias_friction(q, j, r, want);
+    if (j->is_driven) want[r->held] = actuator_bias(j, r, h, rate, &then[r->held], 0);
+}
+
+static void bias_driven_velocity(const linkage *l, const linkage_pass *q,
+                                 int number, real want[JOINT_ROWS])
+{
+    const joint *j = &l->joint[number];
+    joint_rows *r = &l->rows[number];
+    bias_velocity(l, q, number, want);
+    for (int i = 0; i < 2 && j->is_coned; i++)
+        want[r->held + i] = actuator_bias_cone(j, r, i, q->f->h, q->f->joint_rate,
+                                               NULL, speed_along(q, j, r,
+                                                                 r->held + i));
+    if (j->friction > 0) bias_friction(q, j, r, want);
+    if (!j->is_driven) return;
+    want[r->held] = actuator_bias(j, r, q->f->h, q->f->joint_rate, NULL,
+                                  speed_along(q, j, r, r->held));
 }
 
 // How fast driven joints go when a substep begins.
 static void find_speeds(linkage *l, const linkage_pass *q)
 {
-    for (int m = 0; m < l->members; m++) {
-        const joint *j = &l->joint[l->member[m]];
-        joint_rows *r = &l->rows[l->member[m]];
-        if (j->is_driven) r->before = speed_along(q, j, r, r->held);
+    for (int k = 0; k < l->count && l->is_driven; k++) {
+        joint_rows *r = &l->rows[k];
+        if (l->joint[k].is_driven && l->role[k] != JOINT_IDLE)
+            r->before = speed_along(q, &l->joint[k], r, r->held);
     }
 }
 
 // How hard springs and motors find it to move, for a frame.
 static void find_inverses(linkage *l, const linkage_pass *q)
 {
-    for (int m = 0; m < l->members; m++) {
-        joint *j = &l->joint[l->member[m]];
-        if (!j->is_driven) continue;
-        j->drive.inverse = actuator_inverse(&l->rows[l->member[m]],
+    for (int k = 0; k < l->count && l->is_driven; k++) {
+        joint *j = &l->joint[k];
+        if (!j->is_driven || l->role[k] == JOINT_IDLE) continue;
+        j->drive.inverse = actuator_inverse(&l->rows[k],
                                             basis_of(q->f, j->a)->inverse_mass,
                                             basis_of(q->f, j->b)->inverse_mass);
     }
@@ -425,10 +441,46 @@ static void begin_friction(const linkage_pass *q, joint *j, joint_rows *r)
     actuator_begin_friction(j, r, kick_of(q, j));
 }
 
-static void begin_extra(const linkage_pass *q, joint *j, joint_rows *r)
+static void begin_drives(linkage *l, const linkage_pass *q)
 {
-    if (j->friction > 0) begin_friction(q, j, r);
-    if (j->is_driven) actuator_begin(j, r, q->f->h, kick_of(q, j));
+    for (int k = 0; k < l->count; k++) {
+        joint *j = &l->joint[k];
+        if (l->role[k] == JOINT_IDLE) continue;
+        if (j->friction > 0) begin_friction(q, j, &l->rows[k]);
+        if (j->is_driven)
+            actuator_begin(j, &l->rows[k], q->f->h, kick_of(q, j));
+    }
+}
+//<
+
+//> linkage-alone
+//>   A joint can be solved by itself, as in the exercise of chapter 13. This is
+//>   the plain form. What is too wide to be solved at once is solved like this,
+//>   and with `is_plain` all is, to measure what that is worth.
+// A joint gives way as a spring does, by a share of its own K in a substep.  It
+// must: where bodies form a ring, or hang between two walls, some rows say the
+// same twice, and a joint without any give would bear whatever rounding says.
+static const real GIVE = 1e-4;              // tuned, of K
+
+// Those that stand alone are springs, critically damped, or passes would not bring
+// them to terms: such a one turns by so much in a substep.  Half of it lets a net of
+// 400 balls hang open by four radii; with double it gains a tenth of its energy.
+static const real TURN_ALONE = 1.8;         // tuned, rad
+
+static void factor_alone(linkage *l, const linkage_pass *q, int number)
+{
+    const joint *j = &l->joint[number];
+    joint_rows *r = &l->rows[number];
+    real mass_a = basis_of(q->f, j->a)->inverse_mass;
+    real mass_b = basis_of(q->f, j->b)->inverse_mass;
+    for (int k = 0; k < r->count; k++) {
+        for (int i = 0; i < r->count; i++)
+            r->inverse[k][i] = joint_coupling(r->count, r, k, i, mass_a, mass_b);
+        r->give[k] = r->inverse[k][k] / (TURN_ALONE * (2 + TURN_ALONE));
+        r->inverse[k][k] += r->give[k];
+    }
+    if (j->extra > 0) actuator_weigh(j, r, r->count, r->inverse);
+    small_invert(r->count, r->inverse);
 }
 //<
 
@@ -438,7 +490,7 @@ static void begin_extra(const linkage_pass *q, joint *j, joint_rows *r)
 // A limit only pushes, as a contact does.  While it does it is one row more;
 // where it would pull, or is not reached, it is none.  Returns whether that has
 // changed.
-static void push_more(linkage *l, const linkage_pass *q, int number, bool at_end,
+static void push_more(linkage *l, const linkage_pass *q, int number,
                       const real more[JOINT_ROWS])
 {
     joint *j = &l->joint[number];
@@ -448,42 +500,62 @@ static void push_more(linkage *l, const linkage_pass *q, int number, bool at_end
         j->impulse[k] += more[k];
         if (more[k] != 0) r->since[k] = 0;
     }
-    if (at_end) find_ends_of(l, q, j);
+    find_end(l, q, j->a);
+    find_end(l, q, j->b);
 }
 
-static bool switch_drive(linkage *l, const linkage_pass *q, int number, bool at_end)
+static bool switch_drive(linkage *l, const linkage_pass *q, int number,
+                         bias_function *what)
 {
     joint *j = &l->joint[number];
     joint_rows *r = &l->rows[number];
     real want[JOINT_ROWS], more[JOINT_ROWS] = { 0 };
-    find_want(l, q, number, at_end, want);
+    what(l, q, number, want);
     bool has_changed = j->is_driven && actuator_switch(j, r, &more[r->held]);
     if (j->is_coned)     has_changed |= actuator_switch_cone(j, r, more);
     if (j->friction > 0) has_changed |= actuator_switch_friction(j, r, more);
-    if (has_changed) push_more(l, q, number, at_end, more);
+    if (has_changed) push_more(l, q, number, more);
     return has_changed;
 }
 
-static bool switch_limit(linkage *l, const linkage_pass *q, int number, bool at_end)
+static bool switch_limit(linkage *l, const linkage_pass *q, int number,
+                         bias_function *what)
 {
     joint *j = &l->joint[number];
     joint_rows *r = &l->rows[number];
     real want[JOINT_ROWS], back[JOINT_ROWS] = { 0 };
     int k = r->held;
     bool pushes = r->count > k;
-    if (j->extra > 0) return switch_drive(l, q, number, at_end);
+    if (j->extra > 0) return switch_drive(l, q, number, what);
     if (!j->is_limited) return false;
     if (pushes && !(j->impulse[k] < 0)) return false;
     if (pushes) {
         back[k] = -j->impulse[k];
-        push_more(l, q, number, at_end, back);
+        push_more(l, q, number, back);
     } else {
-        find_want(l, q, number, at_end, want);
+        what(l, q, number, want);
         if (!(want[k] > 0)) return false;
     }
     r->since[k] = 0;
     r->count = k + !pushes;
     return true;
+}
+
+static void solve_alone(linkage *l, const linkage_pass *q, int number,
+                        bias_function *what)
+{
+    joint *j = &l->joint[number];
+    joint_rows *r = &l->rows[number];
+    find_end(l, q, j->a);
+    find_end(l, q, j->b);
+    for (int n = 0; n < 2; n++) {
+        what(l, q, number, r->want);
+        small_times(r->count, r->inverse, r->want);
+        for (int k = 0; k < r->count; k++) j->impulse[k] += r->want[k];
+        push_both(l, q, j, r, r->want);
+        if (!switch_limit(l, q, number, what)) return;
+        factor_alone(l, q, number);
+    }
 }
 //<
 
@@ -505,18 +577,27 @@ static void reset_body(linkage *l, int b)
     if (b < 0) return;
     linkage_body *x = &l->body[b];
     x->united = b;
-    x->first = x->place = -1;
+    x->first = x->step = x->place = -1;
+    x->left = 0;
     x->is_jolted = x->is_heavy = false;
     x->seen = l->frames;
 }
 
-// Is it solved now?  One of its bodies must yield, or its impulses would grow in every
-// substep.
-static bool is_solved(const linkage_pass *q, const joint *j)
+// Is one of its bodies, of which one yields, among those that are solved now?
+static bool is_in(const linkage_pass *q, const joint *j)
 {
-    return joint_holds(j) && j->kind != JOINT_PIN
-        && (yields(q->f, j->a) || yields(q->f, j->b))
-        && (!q->rung || q->rung[yielding(q->f, j)] == q->of);
+    return !q->rung || q->rung[yielding(q->f, j)] == q->of;
+}
+
+// One of which neither end yields has nothing to move: its impulses would grow in
+// every substep.
+static joint_role choose_role(const linkage *l, const linkage_pass *q, int k)
+{
+    const joint *j = &l->joint[k];
+    if (!joint_holds(j) || j->kind == JOINT_PIN
+        || (!yields(q->f, j->a) && !yields(q->f, j->b)) || !is_in(q, j))
+        return JOINT_IDLE;
+    return l->is_plain ? JOINT_ALONE : JOINT_SOLVED;
 }
 
 static void add_to_list(linkage *l, const linkage_pass *q, int b, int k)
@@ -524,12 +605,13 @@ static void add_to_list(linkage *l, const linkage_pass *q, int b, int k)
     if (!moves(q->f, b)) return;
     *next_of(l, k, b) = l->body[b].first;
     l->body[b].first = k;
+    l->body[b].left++;
 }
 //<
 
 //> linkage-order
-//>   The joints of a body are eliminated before those that are nearer to the root: so
-//>   in a tree each waits for all that hangs on it.
+//>   A body is solved before those that are nearer to the root: so in a tree each
+//>   waits for all that hangs on it, and in a ring two fronts come together.
 // The bodies that are joined to root, and it: from it outwards.  Returns where they
 // end.
 static int walk_from(linkage *l, const linkage_pass *q, int root, int first)
@@ -557,83 +639,89 @@ static int order_group(linkage *l, const linkage_pass *q, int b, int first)
     for (int i = first; i < end; i++) l->body[l->order[i]].place = -1;
     return walk_from(l, q, root, first);
 }
+//<
 
-// The joints of its bodies, from the furthest body inwards.  Returns where they end.
-static int order_joints(linkage *l, const linkage_pass *q, const linkage_group *g)
+//> linkage-front
+// So many bodies may wait at once.  Each joint has to tell all of them: with so many
+// it takes ten times as long as in a chain.
+enum { FRONT_MOST = 8 };                    // tuned, bodies
+enum { FRONT_ROOM = 2 * FRONT_MOST + 2 };
+
+// Body b waits for its other joints, if it has any.
+static bool wait_in(linkage *l, linkage_step *s, int b)
 {
-    int end = g->first;
+    if (l->body[b].left == 0) return true;
+    if (s->count == FRONT_MOST) return false;
+    if (!TABLE_ADD(l->reach, l->reaches, l->reach_room)) return false;
+    l->reach[l->reaches++].body = b;
+    s->count++;
+    return true;
+}
+
+// The step that solves joint k.  False if it would be too wide, or memory is refused.
+static bool add_step(linkage *l, const linkage_pass *q, int k)
+{
+    const joint *j = &l->joint[k];
+    linkage_step s = { .joint = k, .first = l->reaches, .block = l->blocks };
+    s.a = moves(q->f, j->a) ? j->a : -1;
+    s.b = moves(q->f, j->b) ? j->b : -1;
+    int end[2] = { s.a, s.b };
+    bool ok = true;
+    for (int e = 0; e < 2; e++) {
+        s.from[e] = end[e] < 0 ? -1 : l->body[end[e]].step;
+        if (end[e] >= 0) l->body[end[e]].left--;
+    }
+    for (int e = 0; e < 2; e++) {
+        if (s.from[e] < 0 && end[e] >= 0) ok &= wait_in(l, &s, end[e]);
+        if (s.from[e] < 0 || (e == 1 && s.from[1] == s.from[0])) continue;
+        const linkage_step *was = &l->step[s.from[e]];
+        for (int i = 0; i < was->count; i++)
+            ok = ok && wait_in(l, &s, l->reach[was->first + i].body);
+    }
+    l->blocks += s.count * s.count;
+    int room = table_room(l->blocks, l->block_room);
+    if (room > l->block_room) TABLE_GROW(ok, l->block, l->block_room, room);
+    if (ok) l->block_room = room;
+    for (int i = 0; i < s.count; i++)
+        l->body[l->reach[s.first + i].body].step = l->steps;
+    l->step[l->steps++] = s;
+    return ok;
+}
+
+static bool add_steps(linkage *l, const linkage_pass *q, const linkage_group *g)
+{
     for (int i = g->end_body - 1; i >= g->first_body; i--) {
         int b = l->order[i];
         for (int k = l->body[b].first; k >= 0; k = *next_of(l, k, b)) {
             int on = other_end(&l->joint[k], b);
             if (moves(q->f, on) && l->body[on].place > i) continue;
-            l->rows[k].place = end;
-            l->rows[k].link = -1;
-            l->member[end++] = k;
+            if (!add_step(l, q, k)) return false;
         }
     }
-    return end;
-}
-//<
-
-//> linkage-front
-// So many links a joint of a group may have, in the mean.  In a chain it has one, in a
-// ring two, and the work grows with their square.  What has more is solved joint by joint.
-enum { LINKS_MOST = 16 };                   // tuned, links
-
-// The link of joint a to one that is eliminated later, or where it belongs in the list
-// of a, which is in the order of elimination.
-static int *link_at(linkage *l, int a, int b)
-{
-    int *k = &l->rows[a].link;
-    while (*k >= 0 && l->rows[l->link[*k].joint].place < l->rows[b].place)
-        k = &l->link[*k].next;
-    return k;
-}
-
-// False if memory is refused.
-static bool add_link(linkage *l, int a, int b)
-{
-    if (l->rows[a].place > l->rows[b].place) SWAP(int, a, b);
-    if (!TABLE_ADD(l->link, l->links, l->link_room)) return false;
-    int *k = link_at(l, a, b);
-    if (*k >= 0 && l->link[*k].joint == b) return true;
-    l->link[l->links] = (linkage_link){ .joint = b, .next = *k };
-    *k = l->links++;
     return true;
 }
 
-// Joints of one body move each other.  Once a joint is eliminated, so do all that it
-// moves.  False if they are too many.
-static bool add_links(linkage *l, const linkage_group *g)
-{
-    int most = l->links + LINKS_MOST * (g->end - g->first);
-    bool ok = true;
-    for (int i = g->first_body; i < g->end_body; i++) {
-        int b = l->order[i];
-        for (int k = l->body[b].first; k >= 0; k = *next_of(l, k, b))
-            for (int m = *next_of(l, k, b); m >= 0 && ok; m = *next_of(l, m, b))
-                ok = add_link(l, k, m) && l->links <= most;
-    }
-    for (int i = g->first; i < g->end; i++)
-        for (int p = l->rows[l->member[i]].link; p >= 0; p = l->link[p].next)
-            for (int s = l->link[p].next; s >= 0 && ok; s = l->link[s].next)
-                ok = add_link(l, l->link[p].joint, l->link[s].joint)
-                  && l->links <= most;
-    return ok;
-}
-
-// What is too wide has no links.
+// What is too wide stands alone, joint by joint.
 static void add_group(linkage *l, const linkage_pass *q, int b)
 {
-    int bodies = l->groups ? l->group[l->groups - 1].end_body : 0, links = l->links;
-    linkage_group g = { .first = l->members, .first_body = bodies };
+    int bodies = l->groups ? l->group[l->groups - 1].end_body : 0;
+    linkage_group g = { .first = l->steps, .first_body = bodies };
+    int reaches = l->reaches, blocks = l->blocks;
     g.end_body = order_group(l, q, b, bodies);
-    l->members = g.end = order_joints(l, q, &g);
-    g.is_wide = l->is_plain || !add_links(l, &g);
-    if (g.is_wide) l->links = links;
-    for (int i = g.first; i < g.end && g.is_wide; i++) l->rows[l->member[i]].link = -1;
-    l->group[l->groups++] = g;
+    bool ok = add_steps(l, q, &g);
+    g.end = l->steps;
+    if (ok) {
+        l->group[l->groups++] = g;
+        return;
+    }
+    for (int i = g.first_body; i < g.end_body; i++) {
+        int x = l->order[i];
+        for (int k = l->body[x].first; k >= 0; k = *next_of(l, k, x))
+            l->role[k] = JOINT_ALONE;
+    }
+    l->steps = g.first;
+    l->reaches = reaches;
+    l->blocks = blocks;
 }
 
 static void reset_bodies(linkage *l)
@@ -645,20 +733,21 @@ static void reset_bodies(linkage *l)
     }
 }
 
-static void find_groups(linkage *l, const linkage_pass *q)
+static void choose_roles(linkage *l, const linkage_pass *q)
 {
-    l->groups = l->members = l->links = 0;
+    l->steps = l->groups = l->reaches = l->blocks = 0;
     l->is_stale = false;
     reset_bodies(l);
     for (int k = l->count - 1; k >= 0; k--) {
-        if (!is_solved(q, &l->joint[k])) continue;
+        l->role[k] = choose_role(l, q, k);
+        if (l->role[k] != JOINT_SOLVED) continue;
         add_to_list(l, q, l->joint[k].a, k);
         add_to_list(l, q, l->joint[k].b, k);
     }
     for (int k = 0; k < l->count; k++) {
         const joint *j = &l->joint[k];
         int b = moves(q->f, j->a) ? j->a : j->b;
-        if (is_solved(q, j) && l->body[b].place < 0) add_group(l, q, b);
+        if (l->role[k] == JOINT_SOLVED && l->body[b].place < 0) add_group(l, q, b);
     }
 }
 
@@ -688,217 +777,237 @@ bool linkage_unites(linkage *l, int a, int b)
 }
 //<
 
-//> linkage-give
-//>   By how much a joint gives way.
-// A joint gives way as a spring does, by a share of its own K in a substep.  It
-// must: where bodies form a ring, or hang between two walls, some rows say the
-// same twice, and a joint without any give would bear whatever rounding says.
-static const real GIVE = 1e-4;              // tuned, of K
-
-// Those that stand alone are springs, critically damped, or passes would not bring
-// them to terms: such a one turns by so much in a substep.  Half of it lets a net of
-// 400 balls hang open by four radii; with double it gains a tenth of its energy.
-static const real TURN_ALONE = 1.8;         // tuned, rad
-#define GIVE_ALONE (1 / (TURN_ALONE * (2 + TURN_ALONE)))
-//<
-
 //> linkage-factor
-// How body b moves after unit impulses along the rows.
-static void find_answers(const linkage *l, const linkage_pass *q, int n, int b,
-                         real (*row)[MOTIONS], real (*answer)[MOTIONS])
+// A body of the front in which a joint is solved: the step that it waited in (-1: in
+// none), and its place there.
+typedef struct {
+    int body, step, at;
+    real (*answer)[MOTIONS];    // [rows] to impulses along the joint's rows
+} front_body;
+
+typedef struct {
+    int count, a, b;        // where the joint's bodies are; -1: none moves
+    front_body of[FRONT_ROOM];
+    linkage_block own[2];   // of those that waited in no step
+    real leaves[2][JOINT_ROWS][MOTIONS];    // answers of those that do not stay
+    int stays[FRONT_MOST];  // where those are that do
+} front;
+
+static int add_own(front *x, const linkage *l, const linkage_pass *q, int b)
 {
-    bool is_heavy = moves(q->f, b) && l->body[b].is_heavy;
+    const linkage_body *y = &l->body[b];
+    int n = x->count++, own = n > 0 && x->of[0].step < 0;
     real inverse = basis_of(q->f, b)->inverse_mass;
-    for (int k = 0; k < n; k++) {
-        memcpy(answer[k], row[k], sizeof answer[k]);
-        for (int i = 0; i < MOTION_TURN; i++) answer[k][i] *= inverse;
-        for (int t = 0; t < TURNS && is_heavy; t++) {
-            real sum = 0;
-            for (int i = 0; i < TURNS; i++)
-                sum += l->body[b].light[t][i] * row[k][MOTION_TURN + i];
-            answer[k][MOTION_TURN + t] = sum;
-        }
+    x->of[n].body = b;
+    x->of[n].step = -1;
+    x->of[n].at = own;
+    for (int i = 0; i < MOTIONS; i++)
+        for (int m = 0; m < MOTIONS; m++)
+            x->own[own].of[i][m] = i != m ? 0 : i < MOTION_TURN ? inverse : 1;
+    for (int i = 0; i < TURNS && y->is_heavy; i++)
+        memcpy(x->own[own].of[MOTION_TURN + i] + MOTION_TURN, y->light[i],
+               sizeof y->light[i]);
+    return n;
+}
+
+// All that waited in step `from`; returns where body b stands.
+static int add_waiting(front *x, const linkage *l, int from, int b)
+{
+    const linkage_step *s = &l->step[from];
+    int found = -1;
+    for (int i = 0; i < s->count; i++) {
+        front_body *y = &x->of[x->count];
+        y->body = l->reach[s->first + i].body;
+        y->step = from;
+        y->at = i;
+        if (y->body == b) found = x->count;
+        x->count++;
+    }
+    return found;
+}
+
+static int find_in(const front *x, int b)
+{
+    int i = 0;
+    while (x->of[i].body != b) i++;
+    return i;
+}
+
+// In the order in which they were told to wait.
+static void gather(front *x, linkage *l, const linkage_pass *q, const linkage_step *s)
+{
+    x->count = 0;
+    x->a = s->a < 0 ? -1 : s->from[0] < 0 ? add_own(x, l, q, s->a)
+                         : add_waiting(x, l, s->from[0], s->a);
+    if (s->b < 0)               x->b = -1;
+    else if (s->from[1] < 0)    x->b = add_own(x, l, q, s->b);
+    else if (s->from[1] == s->from[0]) x->b = find_in(x, s->b);
+    else                        x->b = add_waiting(x, l, s->from[1], s->b);
+    for (int i = 0, stay = 0; i < x->count; i++) {
+        linkage_reach *y = &l->reach[s->first + stay];
+        bool stays = stay < s->count && y->body == x->of[i].body;
+        x->of[i].answer = stays ? y->answer : x->leaves[i - stay];
+        if (stays) x->stays[stay++] = i;
     }
 }
 
-// k += row answer^T
-ALWAYS_INLINE void couple_rows(real (*k)[JOINT_ROWS], int n, real (*row)[MOTIONS], int m,
-                               real (*answer)[MOTIONS])
+// How number k of the front answers impulses on number i; NULL: not at all.
+static const linkage_block *block_of(const linkage *l, const front *x, int i, int k)
 {
-    for (int i = 0; i < n; i++)
-        for (int c = 0; c < m; c++) {
-            real sum = 0;
-            for (int d = 0; d < MOTIONS; d++) sum += row[i][d] * answer[c][d];
-            k[i][c] += sum;
-        }
+    if (i < 0) return NULL;
+    const front_body *y = &x->of[i], *z = &x->of[k];
+    if (y->step != z->step) return NULL;
+    if (y->step < 0) return i == k ? &x->own[y->at] : NULL;
+    const linkage_step *s = &l->step[y->step];
+    return &l->block[s->block + y->at * s->count + z->at];
 }
 
-static void add_couplings(real (*k)[JOINT_ROWS], int n, real (*row)[MOTIONS], int m,
-                          real (*answer)[MOTIONS])
+ALWAYS_INLINE void add_answers(int n, real (*row)[MOTIONS], const linkage_block *x,
+                               real answer[JOINT_ROWS][MOTIONS])
 {
-    if (n == 3 && m == 3)   couple_rows(k, 3, row, 3, answer);
-    else                    couple_rows(k, n, row, m, answer);
-}
-
-// A row that does not hold now gives nothing, and is moved by nothing.
-static void open_row(joint_rows *r, int k)
-{
-    for (int i = 0; i < r->count; i++) r->inverse[k][i] = r->inverse[i][k] = 0;
-    memset(r->answer_a[k], 0, sizeof r->answer_a[k]);
-    memset(r->answer_b[k], 0, sizeof r->answer_b[k]);
-}
-
-// K of a joint, and the share of it by which its rows give.
-static void begin_matrix(linkage *l, const linkage_pass *q, int number, real give)
-{
-    const joint *j = &l->joint[number];
-    joint_rows *r = &l->rows[number];
-    int n = r->count;
-    find_answers(l, q, n, j->a, r->a, r->answer_a);
-    find_answers(l, q, n, j->b, r->b, r->answer_b);
-    memset(r->inverse, 0, sizeof r->inverse);
-    add_couplings(r->inverse, n, r->a, n, r->answer_a);
-    add_couplings(r->inverse, n, r->b, n, r->answer_b);
-    for (int k = 0; k < n; k++) r->give[k] = give * r->inverse[k][k];
-    if (j->extra > 0) actuator_soften(j, r);
-    for (int k = 0; k < n; k++) {
-        r->inverse[k][k] += r->give[k];
-        if (r->give[k] == 0) open_row(r, k);
+    for (int a = 0; a < n; a++) {
+        real sum[MOTIONS];
+        memcpy(sum, answer[a], sizeof sum);
+        for (int i = straight_first(n, a); i < straight_end(n, a); i++)
+            for (int m = 0; m < MOTIONS; m++) sum[m] += row[a][i] * x->of[i][m];
+        for (int i = MOTION_TURN; i < MOTIONS; i++)
+            for (int m = 0; m < MOTIONS; m++) sum[m] += row[a][i] * x->of[i][m];
+        memcpy(answer[a], sum, sizeof sum);
     }
 }
 
-// How a joint moves another one by the bodies that they have in common.
-static void begin_link(linkage *l, int number, linkage_link *x)
+ALWAYS_INLINE void find_answers(int n, const linkage *l, front *x, joint_rows *r)
 {
-    const joint *j = &l->joint[number], *o = &l->joint[x->joint];
-    joint_rows *r = &l->rows[number], *s = &l->rows[x->joint];
-    memset(x->of, 0, sizeof x->of);
-    if (j->a == o->a) add_couplings(x->of, r->count, r->a, s->count, s->answer_a);
-    if (j->a == o->b) add_couplings(x->of, r->count, r->a, s->count, s->answer_b);
-    if (j->b == o->a) add_couplings(x->of, r->count, r->b, s->count, s->answer_a);
-    if (j->b == o->b) add_couplings(x->of, r->count, r->b, s->count, s->answer_b);
+    for (int i = 0; i < x->count; i++) {
+        const linkage_block *a = block_of(l, x, x->a, i), *b = block_of(l, x, x->b, i);
+        memset(x->of[i].answer, 0, (size_t)n * sizeof *x->of[i].answer);
+        if (a) add_answers(n, r->a, a, x->of[i].answer);
+        if (b) add_answers(n, r->b, b, x->of[i].answer);
+    }
 }
 
-// to += a^T b, of n rows of a and b.
-ALWAYS_INLINE void multiply_add(real (*to)[JOINT_ROWS], int n, int rows,
-                                real (*a)[JOINT_ROWS], int columns,
-                                real (*b)[JOINT_ROWS])
+ALWAYS_INLINE void add_couplings(int n, real (*row)[MOTIONS],
+                                 real answer[JOINT_ROWS][MOTIONS],
+                                 real k[JOINT_ROWS][JOINT_ROWS])
 {
-    for (int i = 0; i < rows; i++)
-        for (int c = 0; c < columns; c++) {
-            real sum = to[i][c];
-            for (int k = 0; k < n; k++) sum += a[k][i] * b[k][c];
-            to[i][c] = sum;
+    for (int a = 0; a < n; a++)
+        for (int b = 0; b <= a; b++)
+            k[b][a] = k[a][b] += rows_dot(n, b, row[b], answer[a]);
+}
+
+// Those that stay answer less, by what the joint holds back.
+ALWAYS_INLINE void keep_front(int n, linkage *l, const linkage_step *s,
+                              const front *x, const joint_rows *r)
+{
+    linkage_reach *y = &l->reach[s->first];
+    for (int i = 0; i < s->count; i++)
+        for (int k = 0; k < n; k++) {
+            real less[JOINT_ROWS];
+            for (int m = 0; m < n; m++) less[m] = -r->inverse[k][m];
+            memset(y[i].back[k], 0, sizeof y[i].back[k]);
+            drive_by(y[i].back[k], n, y[i].answer, less);
+        }
+    for (int i = 0; i < s->count; i++)
+        for (int k = 0; k < s->count; k++) {
+            const linkage_block *was = block_of(l, x, x->stays[i], x->stays[k]);
+            linkage_block *now = &l->block[s->block + i * s->count + k];
+            if (was) *now = *was;
+            else     memset(now, 0, sizeof *now);
+            for (int m = 0; m < MOTIONS; m++) {
+                real moved[JOINT_ROWS];
+                for (int c = 0; c < n; c++) moved[c] = y[i].answer[c][m];
+                drive_by(now->of[m], n, y[k].back, moved);
+            }
         }
 }
 
-static void add_block(real (*to)[JOINT_ROWS], int n, int rows, real (*a)[JOINT_ROWS],
-                        int columns, real (*b)[JOINT_ROWS])
+// K of a joint: its own give, and how the front answers it.
+ALWAYS_INLINE void factor(int n, linkage *l, const linkage_pass *q,
+                          const linkage_step *s)
 {
-    if (n == 3 && rows == 3 && columns == 3)    multiply_add(to, 3, 3, a, 3, b);
-    else                                        multiply_add(to, n, rows, a, columns, b);
-}
-
-// A joint is eliminated: what it gives is known but for what those give that it moves,
-// and all of these answer less, by what it holds back.
-static void eliminate_joint(linkage *l, joint_rows *r)
-{
-    int n = r->count;
+    const joint *j = &l->joint[s->joint];
+    joint_rows *r = &l->rows[s->joint];
+    real mass_a = basis_of(q->f, j->a)->inverse_mass;
+    real mass_b = basis_of(q->f, j->b)->inverse_mass;
+    front x;
+    gather(&x, l, q, s);
+    for (int k = 0; k < n; k++) {
+        for (int i = 0; i < n; i++) r->inverse[k][i] = 0;
+        r->inverse[k][k] = r->give[k] = GIVE * joint_coupling(n, r, k, k, mass_a,
+                                                              mass_b);
+    }
+    find_answers(n, l, &x, r);
+    if (x.a >= 0) add_couplings(n, r->a, x.of[x.a].answer, r->inverse);
+    if (x.b >= 0) add_couplings(n, r->b, x.of[x.b].answer, r->inverse);
+    if (j->extra > 0) actuator_weigh(j, r, n, r->inverse);
     small_invert(n, r->inverse);
-    for (int s = r->link; s >= 0; s = l->link[s].next) {
-        linkage_link *x = &l->link[s];
-        joint_rows *y = &l->rows[x->joint];
-        real back[JOINT_ROWS][JOINT_ROWS] = { { 0 } };
-        add_block(back, n, n, r->inverse, y->count, x->of);
-        for (int i = 0; i < n; i++)
-            for (int c = 0; c < y->count; c++) back[i][c] = -back[i][c];
-        add_block(y->inverse, n, y->count, back, y->count, x->of);
-        for (int p = x->next, to = y->link; p >= 0; p = l->link[p].next) {
-            while (l->link[to].joint != l->link[p].joint) to = l->link[to].next;
-            add_block(l->link[to].of, n, y->count, back,
-                        l->rows[l->link[p].joint].count, l->link[p].of);
-        }
-        memcpy(x->of, back, sizeof back);
-    }
+    keep_front(n, l, s, &x, r);
 }
 
-static void factor_group(linkage *l, const linkage_pass *q, linkage_group *g)
+static void factor_group(linkage *l, const linkage_pass *q, const linkage_group *g)
 {
-    g->has_three = true;
     for (int i = g->first; i < g->end; i++) {
-        begin_matrix(l, q, l->member[i], g->is_wide ? GIVE_ALONE : GIVE);
-        g->has_three &= l->rows[l->member[i]].count == 3;
+        int n = l->rows[l->step[i].joint].count;
+        if (n == 3) factor(3, l, q, &l->step[i]);
+        else        factor(n, l, q, &l->step[i]);
     }
-    for (int i = g->first; i < g->end; i++)
-        for (int p = l->rows[l->member[i]].link; p >= 0; p = l->link[p].next)
-            begin_link(l, l->member[i], &l->link[p]);
-    for (int i = g->first; i < g->end; i++) eliminate_joint(l, &l->rows[l->member[i]]);
 }
 //<
 
 //> linkage-solve
-//>   And here are the two walks. The bodies get impulses, each A's and its opposite
-//>   B's, so momentum stays to rounding, however inexact the matrices are.
-// A joint has n rows, or with n = 0 as many as it says.
-ALWAYS_INLINE int rows_of(int n, const joint_rows *r)
+//>   And here are the two walks. The velocities that they find are not given to
+//>   the bodies. Only the impulses are, each to A and its opposite to B, so
+//>   momentum stays to rounding, however inexact the matrices are.
+// What a joint wants, and its bodies do not do already.  Those that wait get the
+// impulse for that, as if no joint that comes later held them.
+static inline void solve_inward(int n, linkage *l, const linkage_step *s)
 {
-    return n ? n : r->count;
+    joint_rows *r = &l->rows[s->joint];
+    if (s->a >= 0) take_speed(r->want, n, r->a, l->body[s->a].speed);
+    if (s->b >= 0) take_speed(r->want, n, r->b, l->body[s->b].speed);
+    small_times(n, r->inverse, r->want);
+    for (int i = s->first; i < s->first + s->count; i++)
+        drive_by(l->body[l->reach[i].body].speed, n, l->reach[i].answer, r->want);
 }
 
-// What a joint wants, as if no joint that comes later held its bodies: of that those
-// have their part already.
-static inline void solve_inward(int n, linkage *l, const joint_rows *r)
+// Now it is known what the later joints give those that waited: of that the joint
+// holds its part.
+static inline void solve_outward(int n, linkage *l, const linkage_step *s)
 {
-    for (int p = r->link; p >= 0; p = l->link[p].next) {
-        const linkage_link *x = &l->link[p];
-        joint_rows *y = &l->rows[x->joint];
-        for (int i = 0; i < rows_of(n, r); i++)
-            for (int c = 0; c < rows_of(n, y); c++)
-                y->want[c] += x->of[i][c] * r->want[i];
+    joint *j = &l->joint[s->joint];
+    joint_rows *r = &l->rows[s->joint];
+    for (int i = s->first; i < s->first + s->count; i++) {
+        const linkage_reach *y = &l->reach[i];
+        for (int k = 0; k < n; k++)
+            for (int m = 0; m < MOTIONS; m++)
+                r->want[k] += y->back[k][m] * l->body[y->body].impulse[m];
     }
-}
-
-// Now it is known what the later joints give, and so what this one does.
-static inline void solve_outward(int n, const linkage *l, joint_rows *r)
-{
-    small_times(rows_of(n, r), r->inverse, r->want);
-    for (int p = r->link; p >= 0; p = l->link[p].next) {
-        const linkage_link *x = &l->link[p];
-        const joint_rows *y = &l->rows[x->joint];
-        for (int i = 0; i < rows_of(n, r); i++)
-            for (int c = 0; c < rows_of(n, y); c++)
-                r->want[i] += x->of[i][c] * y->want[c];
+    if (s->a >= 0) drive_by(l->body[s->a].impulse, n, r->a, r->want);
+    if (s->b >= 0) drive_by(l->body[s->b].impulse, n, r->b, r->want);
+    for (int i = 0; i < n; i++) {
+        j->impulse[i] += r->want[i];
+        r->since[i] += r->want[i];
     }
-}
-
-ALWAYS_INLINE void give_joint(int rows, linkage *l, const linkage_pass *q, int number)
-{
-    joint *j = &l->joint[number];
-    joint_rows *r = &l->rows[number];
-    int n = rows_of(rows, r);
-    for (int k = 0; k < n; k++) {
-        j->impulse[k] += r->want[k];
-        r->since[k] += r->want[k];
-    }
-    if (moves(q->f, j->a)) drive_by(l->body[j->a].impulse, n, r->a, r->want);
-    if (moves(q->f, j->b)) drive_by(l->body[j->b].impulse, n, r->b, r->want);
-}
-
-ALWAYS_INLINE void walk_group(int n, linkage *l, const linkage_pass *q,
-                              const linkage_group *g)
-{
-    for (int i = g->first; i < g->end; i++) solve_inward(n, l, &l->rows[l->member[i]]);
-    for (int i = g->end - 1; i >= g->first; i--)
-        solve_outward(n, l, &l->rows[l->member[i]]);
-    for (int i = g->first; i < g->end; i++) give_joint(n, l, q, l->member[i]);
 }
 
 static void solve_group(linkage *l, const linkage_pass *q, const linkage_group *g)
 {
-    for (int i = g->first_body; i < g->end_body; i++)
-        memset(l->body[l->order[i]].impulse, 0, sizeof l->body->impulse);
-    if (g->has_three)   walk_group(3, l, q, g);
-    else                walk_group(0, l, q, g);
+    const linkage_step *s = l->step;
+    for (int i = g->first_body; i < g->end_body; i++) {
+        linkage_body *x = &l->body[l->order[i]];
+        memset(x->speed, 0, sizeof x->speed);
+        memset(x->impulse, 0, sizeof x->impulse);
+    }
+    for (int k = g->first; k < g->end; k++) {
+        int n = l->rows[s[k].joint].count;
+        if (n == 3) solve_inward(3, l, &s[k]);
+        else        solve_inward(n, l, &s[k]);
+    }
+    for (int k = g->end - 1; k >= g->first; k--) {
+        int n = l->rows[s[k].joint].count;
+        if (n == 3) solve_outward(3, l, &s[k]);
+        else        solve_outward(n, l, &s[k]);
+    }
     for (int i = g->first_body; i < g->end_body; i++)
         apply_impulse(l, q, l->order[i], l->body[l->order[i]].impulse);
 }
@@ -930,11 +1039,10 @@ static bool find_ends(linkage *l, const linkage_pass *q, const linkage_group *g)
 // What a group was given while a row of it held that does not: a motor that is asked
 // for a speed, and cannot reach it, is answered by all other joints.  They take that
 // back, or a light body between them would spin away with it.
-static void take_back(linkage *l, const linkage_pass *q, const linkage_group *g,
-                      bool at_end)
+static void take_back(linkage *l, const linkage_pass *q, const linkage_group *g)
 {
-    for (int m = g->first; m < g->end; m++) {
-        int k = l->member[m];
+    for (int s = g->first; s < g->end; s++) {
+        int k = l->step[s].joint;
         real back[JOINT_ROWS];
         for (int i = 0; i < JOINT_ROWS; i++) {
             back[i] = -l->rows[k].since[i];
@@ -943,27 +1051,28 @@ static void take_back(linkage *l, const linkage_pass *q, const linkage_group *g,
         }
         push_both(l, q, &l->joint[k], &l->rows[k], back);
     }
-    if (at_end) find_ends(l, q, g);
+    find_ends(l, q, g);
 }
 
 static bool switch_limits(linkage *l, const linkage_pass *q, const linkage_group *g,
-                          bool at_end)
+                          bias_function *what)
 {
     bool has_changed = false;
-    for (int m = g->first; m < g->end; m++)
-        has_changed |= switch_limit(l, q, l->member[m], at_end);
-    if (has_changed) take_back(l, q, g, at_end);
+    for (int s = g->first; s < g->end; s++)
+        has_changed |= switch_limit(l, q, l->step[s].joint, what);
+    if (has_changed) take_back(l, q, g);
     return has_changed;
 }
 
 // Returns by how much the worst joint will miss it, as a share of its size.
-static real find_wants(linkage *l, const linkage_pass *q, const linkage_group *g,
-                       bool at_end)
+static real find_biases(linkage *l, const linkage_pass *q, const linkage_group *g,
+                        bias_function *what)
 {
     real worst = 0;
-    for (int m = g->first; m < g->end; m++) {
-        joint_rows *r = &l->rows[l->member[m]];
-        find_want(l, q, l->member[m], at_end, r->want);
+    for (int s = g->first; s < g->end; s++) {
+        int k = l->step[s].joint;
+        joint_rows *r = &l->rows[k];
+        what(l, q, k, r->want);
         for (int i = 0; i < r->count; i++) {
             real size = i < r->lengths ? r->size : 1;
             worst = real_max(fabs(r->want[i]) / size, worst);
@@ -972,66 +1081,46 @@ static real find_wants(linkage *l, const linkage_pass *q, const linkage_group *g
     return q->f->h * worst;
 }
 
-// A joint by itself, as in the exercise of chapter 13.
-static void solve_alone(linkage *l, const linkage_pass *q, int number, bool at_end)
-{
-    joint_rows *r = &l->rows[number];
-    if (at_end) find_ends_of(l, q, &l->joint[number]);
-    for (int n = 0; n < 2; n++) {
-        real more[JOINT_ROWS] = { 0 };
-        find_want(l, q, number, at_end, more);
-        small_times(r->count, r->inverse, more);
-        push_more(l, q, number, at_end, more);
-        if (!switch_limit(l, q, number, at_end)) return;
-        begin_matrix(l, q, number, GIVE_ALONE);
-        eliminate_joint(l, r);
-    }
-}
-
-// What is wide is solved joint by joint, every other time last to first.
-static void sweep_group(linkage *l, const linkage_pass *q, linkage_group *g,
-                        bool at_end)
-{
-    if (!g->is_ready) factor_group(l, q, g);
-    g->is_ready = true;
-    for (int n = 0; n < g->end - g->first; n++)
-        solve_alone(l, q, l->member[l->is_backward ? g->end - 1 - n : g->first + n],
-                    at_end);
-}
-
 // Solved once, and again while a joint will miss what it wants by too much, and each
 // solve comes nearer.
 static void settle_group(linkage *l, const linkage_pass *q, linkage_group *g,
-                         bool at_end, int rounds, real rough)
+                         bias_function *what, int rounds, real rough)
 {
+    bool is_last = what == bias_position || what == bias_driven_position;
     real before = 0;
-    for (int m = g->first; m < g->end && g->is_limited; m++)
-        memset(l->rows[l->member[m]].since, 0, sizeof l->rows->since);
+    for (int s = g->first; s < g->end && g->is_limited; s++)
+        memset(l->rows[l->step[s].joint].since, 0, sizeof l->rows->since);
     for (int n = 0; n < rounds + IMPACT_STEPS; n++) {
         if (n >= rounds && !g->is_limited) return;
-        bool is_known = at_end && find_ends(l, q, g);
+        bool is_known = is_last && find_ends(l, q, g);
         if (is_known && g->is_settled) return;
-        bool has_changed = g->is_limited && switch_limits(l, q, g, at_end);
-        real missed = find_wants(l, q, g, at_end);
+        bool has_changed = g->is_limited
+                        && switch_limits(l, q, g, what);
+        real missed = find_biases(l, q, g, what);
         bool is_settled = (n > 0 || g->is_solved) && missed <= MISS;
         bool is_nearer = n == 0 || has_changed || missed < before;
-        g->is_settled = (is_settled || !is_nearer) && at_end;
+        g->is_settled = (is_settled || !is_nearer) && is_last;
         if (!has_changed && (is_settled || n >= rounds || !is_nearer)) return;
         before = missed;
         if (has_changed || !g->is_ready) factor_group(l, q, g);
         g->is_ready = true;
-        g->is_solved = at_end;
+        g->is_solved = is_last;
         solve_group(l, q, g);
         if (missed <= rough && !g->is_limited) return;
     }
 }
 
-static void settle(linkage *l, const linkage_pass *q, bool at_end, real rough)
+// What stands alone first, every other time last to first; then the trees.
+static void settle_bounds(linkage *l, const linkage_pass *q,
+                          bias_function *what, int rounds, real rough)
 {
     l->is_backward = !l->is_backward;
-    for (linkage_group *g = l->group; g < l->group + l->groups; g++)
-        if (g->is_wide) sweep_group(l, q, g, at_end);
-        else            settle_group(l, q, g, at_end, at_end ? IMPACT_STEPS : 1, rough);
+    for (int i = 0; i < l->count; i++) {
+        int k = l->is_backward ? l->count - 1 - i : i;
+        if (l->role[k] == JOINT_ALONE) solve_alone(l, q, k, what);
+    }
+    for (int k = 0; k < l->groups; k++)
+        settle_group(l, q, &l->group[k], what, rounds, rough);
 }
 //<
 
@@ -1106,11 +1195,10 @@ static bool find_stiff(linkage *l, const linkage_pass *q, const linkage_group *g
 {
     bool some = false;
     for (int i = g->first_body; i < g->end_body; i++) l->body[l->order[i]].stiff = 0;
-    for (int m = g->first; m < g->end; m++) {
-        const joint *j = &l->joint[l->member[m]];
-        real more = stiffness_of(j, &l->rows[l->member[m]], q->f->h);
-        if (moves(q->f, j->a)) some |= (l->body[j->a].stiff += more) > 1;
-        if (moves(q->f, j->b)) some |= (l->body[j->b].stiff += more) > 1;
+    for (const linkage_step *s = l->step + g->first; s < l->step + g->end; s++) {
+        real more = stiffness_of(&l->joint[s->joint], &l->rows[s->joint], q->f->h);
+        if (s->a >= 0) some |= (l->body[s->a].stiff += more) > 1;
+        if (s->b >= 0) some |= (l->body[s->b].stiff += more) > 1;
     }
     return some;
 }
@@ -1123,14 +1211,14 @@ static void weigh_group(linkage *l, const linkage_pass *q, linkage_group *g)
     g->is_ready = g->is_solved = g->is_settled = false;
     for (int i = g->first_body; i < g->end_body; i++)
         memset(l->body[l->order[i]].heavy, 0, sizeof l->body->heavy);
-    for (int m = g->first; m < g->end; m++) {
-        const joint *j = &l->joint[l->member[m]];
-        const joint_rows *r = &l->rows[l->member[m]];
+    for (const linkage_step *s = l->step + g->first; s < l->step + g->end; s++) {
+        const joint *j = &l->joint[s->joint];
+        const joint_rows *r = &l->rows[s->joint];
         joint_points(j, joined_frame(q, j->a), joined_frame(q, j->b), &a, &b);
-        if (moves(q->f, j->a)) add_stiffness(q, &l->body[j->a], j->a, a,
-                                             straight_impulse(j, r, r->a));
-        if (moves(q->f, j->b)) add_stiffness(q, &l->body[j->b], j->b, b,
-                                             straight_impulse(j, r, r->b));
+        if (s->a >= 0) add_stiffness(q, &l->body[s->a], s->a, a,
+                                     straight_impulse(j, r, r->a));
+        if (s->b >= 0) add_stiffness(q, &l->body[s->b], s->b, b,
+                                     straight_impulse(j, r, r->b));
     }
     for (int i = g->first_body; i < g->end_body; i++) {
         l->body[l->order[i]].is_heavy = true;
@@ -1240,7 +1328,7 @@ static real correction_share(const linkage *l, int k, const solver_frame *f)
     return sum > most * most ? most / sqrt(sum) : 1;
 }
 
-static void find_rows_of(linkage *l, const linkage_pass *q, int k, bool is_wide)
+static void find_rows_of(linkage *l, const linkage_pass *q, int k)
 {
     joint *j = &l->joint[k];
     joint_rows *r = &l->rows[k];
@@ -1254,21 +1342,21 @@ static void find_rows_of(linkage *l, const linkage_pass *q, int k, bool is_wide)
     r->count = r->held + (j->is_limited && j->impulse[r->held] > 0)
              + j->extra;
     r->fraction = correction_share(l, k, q->f);
-    if (is_wide)
+    if (l->role[k] == JOINT_ALONE)
         r->fraction = real_min(r->fraction, TURN_ALONE / (2 + TURN_ALONE));
     l->worst = real_max(l->worst, parted_by(j, r));
     l->parted += parted_by(j, r) > STRAINED * r->size || tilted_by(r) > STRAINED;
+    if (l->role[k] == JOINT_ALONE) factor_alone(l, q, k);
 }
 
 static void find_rows(linkage *l, const linkage_pass *q)
 {
     l->worst = 0;
     l->parted = 0;
-    for (linkage_group *g = l->group; g < l->group + l->groups; g++) {
+    for (int k = 0; k < l->count; k++)
+        if (l->role[k] != JOINT_IDLE) find_rows_of(l, q, k);
+    for (linkage_group *g = l->group; g < l->group + l->groups; g++)
         g->is_ready = g->is_solved = g->is_settled = false;
-        for (int m = g->first; m < g->end; m++)
-            find_rows_of(l, q, l->member[m], g->is_wide);
-    }
 }
 
 // A body that a force holds at the end of its arm swings about its centre: the
@@ -1297,30 +1385,36 @@ static real joined_size(const linkage_pass *q, int b)
     return moves(q->f, b) ? q->f->body[b].radius : HUGE_VAL;
 }
 
-// What of a joint stays for a frame.
-static void find_size(linkage *l, const linkage_pass *q, int k)
+// Has it limits?  Does what no pull moves hold it?
+static void find_group(linkage *l, const linkage_pass *q, linkage_group *g)
 {
-    const joint *j = &l->joint[k];
-    joint_rows *r = &l->rows[k];
-    real a = swing_of(q, j->a, j->local_a), b = swing_of(q, j->b, j->local_b);
-    r->swing = real_max(a, b);
-    r->hung = real_max(hung_swing(q, j->a, a), hung_swing(q, j->b, b));
-    r->size = real_min(joined_size(q, j->a), joined_size(q, j->b));
+    bool is_free = true;
+    for (int s = g->first; s < g->end; s++) {
+        const joint *j = &l->joint[l->step[s].joint];
+        g->is_limited |= j->is_limited || j->extra > 0;
+        is_free &= yields(q->f, j->a) && yields(q->f, j->b);
+    }
+    for (int s = g->first; s < g->end; s++)
+        l->rows[l->step[s].joint].is_free = is_free;
 }
 
-// And of a group: has it limits?  Does what no pull moves hold it?
+// What stays for a frame.
 static void find_sizes(linkage *l, const linkage_pass *q)
 {
-    for (linkage_group *g = l->group; g < l->group + l->groups; g++) {
-        bool is_free = true;
-        for (int m = g->first; m < g->end; m++) {
-            const joint *j = &l->joint[l->member[m]];
-            find_size(l, q, l->member[m]);
-            g->is_limited |= j->is_limited || j->extra > 0;
-            is_free &= yields(q->f, j->a) && yields(q->f, j->b);
-        }
-        for (int m = g->first; m < g->end; m++) l->rows[l->member[m]].is_free = is_free;
+    l->is_driven = false;
+    for (int k = 0; k < l->count; k++) {
+        const joint *j = &l->joint[k];
+        joint_rows *r = &l->rows[k];
+        if (l->role[k] == JOINT_IDLE) continue;
+        l->is_driven |= j->extra > 0;
+        real a = swing_of(q, j->a, j->local_a);
+        real b = swing_of(q, j->b, j->local_b);
+        r->swing = real_max(a, b);
+        r->hung = real_max(hung_swing(q, j->a, a), hung_swing(q, j->b, b));
+        r->size = real_min(joined_size(q, j->a), joined_size(q, j->b));
+        r->is_free = false;
     }
+    for (int k = 0; k < l->groups; k++) find_group(l, q, &l->group[k]);
 }
 //<
 
@@ -1367,35 +1461,36 @@ void linkage_mark(linkage *l)
     }
 }
 
-static void scale_joint(linkage *l, int k, real times)
-{
-    for (int i = 0; i < JOINT_ROWS; i++) {
-        l->joint[k].impulse[i] *= times;
-        l->rows[k].older[i] *= times;
-    }
-}
-
 void linkage_scale(linkage *l, real times)
 {
-    for (int m = 0; m < l->members; m++) scale_joint(l, l->member[m], times);
+    for (int k = 0; k < l->count; k++)
+        for (int i = 0; i < JOINT_ROWS && l->role[k] != JOINT_IDLE; i++) {
+            l->joint[k].impulse[i] *= times;
+            l->rows[k].older[i] *= times;
+        }
 }
 
 // Impulses of a substep of another length become those of this one.
 static void warm(linkage *l, const linkage_pass *q)
 {
     const solver_frame *f = q->f;
-    for (int k = 0; k < l->count; k++)
-        if (l->joint[k].kind == JOINT_PIN) l->rows[k].pace = 0;
-    for (int m = 0; m < l->members; m++) {
-        int k = l->member[m], b = yielding(f, &l->joint[k]);
-        l->rows[k].pace = 0;
-        scale_joint(l, k, f->age ? f->warm * f->h / f->age[b] : f->warm);
+    for (int k = 0; k < l->count; k++) {
+        joint *j = &l->joint[k];
+        int b = yielding(f, j);
+        bool is_pin = j->kind == JOINT_PIN;
+        if (is_pin || l->role[k] != JOINT_IDLE) l->rows[k].pace = 0;
+        if (l->role[k] == JOINT_IDLE) continue;
+        real times = f->age ? f->warm * f->h / f->age[b] : f->warm;
+        for (int i = 0; i < JOINT_ROWS; i++) {
+            j->impulse[i] *= times;
+            l->rows[k].older[i] *= times;
+        }
     }
 }
 
-// Groups, sizes, rows: where the bodies stand now.
-static void begin_groups(linkage *l, const linkage_pass *q)
+static void begin_roles(linkage *l, const linkage_pass *q)
 {
+    choose_roles(l, q);
     find_sizes(l, q);
     find_rows(l, q);
     find_speeds(l, q);
@@ -1411,17 +1506,18 @@ void linkage_rewind(linkage *l, const linkage_pass *q)
         memcpy(r->older, j->impulse, sizeof r->older);
         r->is_upper = r->was_upper;
     }
-    find_groups(l, q);
-    begin_groups(l, q);
+    begin_roles(l, q);
 }
 
 void linkage_prepare(linkage *l, const linkage_pass *q)
 {
     if (l->count == 0) return;
     l->frames++;
-    find_groups(l, q);
+    choose_roles(l, q);
     warm(l, q);
-    begin_groups(l, q);
+    find_sizes(l, q);
+    find_rows(l, q);
+    find_speeds(l, q);
     find_inverses(l, q);
 }
 
@@ -1441,9 +1537,10 @@ static void drop_traces(real impulse[JOINT_ROWS])
 
 static bool is_apart(const linkage *l, const linkage_group *g)
 {
-    for (int m = g->first; m < g->end && !g->is_wide; m++) {
-        const joint_rows *r = &l->rows[l->member[m]];
-        if (parted_by(&l->joint[l->member[m]], r) > CONTACT_DEEP * r->size) return true;
+    for (int s = g->first; s < g->end; s++) {
+        const joint_rows *r = &l->rows[l->step[s].joint];
+        if (parted_by(&l->joint[l->step[s].joint], r) > CONTACT_DEEP * r->size)
+            return true;
     }
     return false;
 }
@@ -1452,12 +1549,16 @@ void linkage_begin(linkage *l, const linkage_pass *q)
 {
     for (linkage_group *g = l->group; g < l->group + l->groups; g++) {
         g->is_jolted = is_apart(l, g);
-        if (!g->is_jolted && !g->is_wide) begin_heavy(l, q, g);
+        if (!g->is_jolted) begin_heavy(l, q, g);
     }
-    for (int m = 0; m < l->members; m++) {
-        joint *j = &l->joint[l->member[m]];
-        joint_rows *r = &l->rows[l->member[m]];
-        if (j->extra > 0) begin_extra(q, j, r);
+    if (l->is_driven) begin_drives(l, q);
+    for (int k = 0; k < l->count; k++) {
+        joint_rows *r = &l->rows[k];
+        joint *j = &l->joint[k];
+        if (j->kind == JOINT_NONE) continue;
+        if (j->a >= 0) l->body[j->a].has_end = false;
+        if (j->b >= 0) l->body[j->b].has_end = false;
+        if (l->role[k] == JOINT_IDLE) continue;
         drop_traces(j->impulse);
         push_both(l, q, j, r, j->impulse);
     }
@@ -1528,7 +1629,7 @@ static one_body group_as_one(const linkage *l, const linkage_pass *q,
 
 static bool is_free_group(const linkage *l, const linkage_group *g)
 {
-    return l->rows[l->member[g->first]].is_free;
+    return l->rows[l->step[g->first].joint].is_free;
 }
 
 // What a body is heavier by is no other body's: what flies freely gets back, as one
@@ -1589,8 +1690,8 @@ static void jolt_group(linkage *l, const linkage_pass *q, const linkage_group *g
 {
     for (int i = g->first_body; i < g->end_body; i++)
         l->body[l->order[i]].rest = q->velocity[l->order[i]];
-    for (int m = g->first; m < g->end; m++) {
-        int k = l->member[m];
+    for (int s = g->first; s < g->end; s++) {
+        int k = l->step[s].joint;
         real back[JOINT_ROWS] = { 0 };
         for (int i = 0; i < l->rows[k].held; i++) {
             back[i] = -l->joint[k].impulse[i];
@@ -1619,14 +1720,20 @@ static void jolt_groups(linkage *l, const linkage_pass *q)
 // Does a joint pull harder than is known of both its bodies?
 static bool is_sudden(const linkage *l, const linkage_pass *q, const linkage_group *g)
 {
-    for (int m = g->first; m < g->end; m++) {
-        const joint *j = &l->joint[l->member[m]];
-        real now = stiffness_of(j, &l->rows[l->member[m]], q->f->h);
-        real a = moves(q->f, j->a) ? l->body[j->a].stiff : HUGE_VAL;
-        real b = moves(q->f, j->b) ? l->body[j->b].stiff : HUGE_VAL;
+    for (const linkage_step *s = l->step + g->first; s < l->step + g->end; s++) {
+        real now = stiffness_of(&l->joint[s->joint], &l->rows[s->joint], q->f->h);
+        real a = s->a < 0 ? HUGE_VAL : l->body[s->a].stiff;
+        real b = s->b < 0 ? HUGE_VAL : l->body[s->b].stiff;
         if (now > real_max(real_min(a, b), 1)) return true;
     }
     return false;
+}
+
+static void settle_places(linkage *l, const linkage_pass *q, real rough)
+{
+    if (l->is_driven)
+        settle_bounds(l, q, bias_driven_position, IMPACT_STEPS, rough);
+    else                settle_bounds(l, q, bias_position, IMPACT_STEPS, rough);
 }
 
 // Returns whether some group was.
@@ -1634,7 +1741,7 @@ static bool stiffen_sudden(linkage *l, const linkage_pass *q)
 {
     bool some = false;
     for (linkage_group *g = l->group; g < l->group + l->groups; g++) {
-        if (g->is_jolted || g->is_wide || !is_sudden(l, q, g)) continue;
+        if (g->is_jolted || !is_sudden(l, q, g)) continue;
         find_stiff(l, q, g);
         stiffen_group(l, q, g);
         some = true;
@@ -1646,10 +1753,10 @@ void linkage_push(linkage *l, const linkage_pass *q, bool is_last)
 {
     real rough = is_last ? 0 : ROUGH;
     for (int k = 0; k < l->groups && is_last; k++) take_pushes(l, q, &l->group[k]);
-    settle(l, q, true, rough);
+    settle_places(l, q, rough);
     if (!is_last) return;
     for (int n = 0; n < IMPACT_STEPS && stiffen_sudden(l, q); n++)
-        settle(l, q, true, 0);
+        settle_places(l, q, 0);
     give_back_all(l, q);
     jolt_groups(l, q);
 }
@@ -1736,9 +1843,9 @@ static void break_overloaded(linkage *l, const linkage_pass *q)
 {
     real h = q->f->h;
     l->swing = 0;
-    for (int m = 0; m < l->members; m++) {
-        int k = l->member[m];
+    for (int k = 0; k < l->count; k++) {
         joint *j = &l->joint[k];
+        if (l->role[k] == JOINT_IDLE) continue;
         j->force = force_of(j, &l->rows[k], h);
         if (j->is_driven) j->given = j->impulse[l->rows[k].held] / l->rows[k].kick;
         real swing = sqrt(j->force * l->rows[k].swing);
@@ -1753,6 +1860,7 @@ static void break_overloaded(linkage *l, const linkage_pass *q)
         expect(j, &l->rows[k]);
         if (!(j->force > j->strength)) continue;
         j->is_broken = l->is_stale = true;
+        l->role[k] = JOINT_IDLE;
         l->broken++;
     }
 }
@@ -1760,16 +1868,14 @@ static void break_overloaded(linkage *l, const linkage_pass *q)
 void linkage_relax(linkage *l, const linkage_pass *q)
 {
     if (l->count == 0) return;
-    for (int m = 0; m < l->members; m++)
-        memcpy(l->rows[l->member[m]].pushed, l->joint[l->member[m]].impulse,
-               sizeof l->rows->pushed);
+    for (int k = 0; k < l->count; k++)
+        memcpy(l->rows[k].pushed, l->joint[k].impulse, sizeof l->rows->pushed);
     find_rows(l, q);
     end_heavy(l);
-    settle(l, q, false, 0);
+    if (l->is_driven)   settle_bounds(l, q, bias_driven_velocity, 1, 0);
+    else                settle_bounds(l, q, bias_velocity, 1, 0);
     find_speeds(l, q);
     break_overloaded(l, q);
-    if (!l->is_stale) return;
-    find_groups(l, q);
-    begin_groups(l, q);
+    if (l->is_stale) begin_roles(l, q);
 }
 //<

@@ -4,7 +4,7 @@
 //
 // Paper: not asked.  Here all that is joined is solved at once.  The time grows with
 // the number of joints for a chain or a tree (Baraff 1996), and with the square of the
-// width of a ring or a net.  Book: chapter 17.
+// width (the frontal method, Irons 1970).  Book: chapter 17.
 // Units: metres, kilograms, seconds.
 
 #pragma once
@@ -14,11 +14,16 @@
 //<
 
 //> linkage-struct
-//>   Each body that is joined has a small record, and so has each two joints of
-//>   which one moves the other.
+//>   Each body that is joined has a small record: the mass matrix of itself and
+//>   all that hangs on it, and what it needs while its tree is found.
+// Joined bodies are solved at once.  If they are too wide for that, their joints are
+// solved one after the other.
+typedef enum { JOINT_IDLE, JOINT_ALONE, JOINT_SOLVED } joint_role;
+
 // A body as the joints see it.
 typedef struct {
-    real impulse[MOTIONS];  // the sum of what its joints give it while they are solved
+    real speed[MOTIONS];    // the change of its velocity, and the impulses,
+    real impulse[MOTIONS];  // while its group is solved
     solver_body end;        // where it is, and how it moves, at the end of the substep,
     motion go, last;        // with the velocity `go` now, and
     bool has_end;           // that was computed in this substep
@@ -33,28 +38,17 @@ typedef struct {
     real given[TURNS];      // impulses on its turns since; those of them that
     real kick[TURNS];       // no other body gave
     int  united;            // union-find: another body that is joined to it
-    int  first;             // the first joint of its list; -1: none
+    int  first, left;       // the first joint of its list; how many are still to solve
+    int  step;              // the step that has it in its front; -1: none yet
     int  place;             // its place in `order`; -1: none
     long seen;              // the last frame in which it was joined
 } linkage_body;
 
-// Two joints of which one moves the bodies of the other: how fast the rows of that one
-// go after unit impulses along those of this one.  The joint that is eliminated first
-// has it in its list.
+// Bodies that are joined to each other, and the steps that solve their joints.
 typedef struct {
-    int joint;              // the other one
-    int next;               // in the list; -1: none
-    real of[JOINT_ROWS][JOINT_ROWS];    // once the first is eliminated: what it gives
-                                        // for a unit impulse of the other
-} linkage_link;
-
-// Bodies that are joined to each other, and their joints.
-typedef struct {
-    int  first, end;            // in `member`
+    int  first, end;            // in `step`
     int  first_body, end_body;  // in `order`
-    bool is_wide;           // its joints are solved one after the other
-    bool is_ready;          // its matrices are computed,
-    bool has_three;         // and each of its joints has three rows
+    bool is_ready;          // its matrices are computed
     bool is_solved;         // it was solved before this move
     bool is_settled;        // nothing is left to solve
     bool is_limited;        // some joint has a limit
@@ -62,25 +56,54 @@ typedef struct {
     bool is_jolted;         // it brings bodies together that are far apart
 } linkage_group;
 
+// One step solves a joint.  Its bodies, and those of the fronts of earlier steps that
+// it brings together, become one front; of these, bodies with joints left stay in it.
+typedef struct {
+    int joint;
+    int a, b;               // its bodies; -1: immovable
+    int from[2];            // the steps whose fronts it brings together; -1: none
+    int first, count;       // in `reach`: the bodies that stay
+    int block;              // the first of their count^2 blocks
+} linkage_step;
+
+// A body that stays in a front.
+typedef struct {
+    int  body;
+    real answer[JOINT_ROWS][MOTIONS];   // its motion after a unit impulse along a row
+                                        // of the joint, and
+    real back[JOINT_ROWS][MOTIONS];     // the impulse of the joint for a unit impulse
+                                        // on the body
+} linkage_reach;
+
+// The motion of one body of a front after unit impulses on another, or on itself: an
+// inverse mass matrix.
+typedef struct {
+    real of[MOTIONS][MOTIONS];
+} linkage_block;
+
 typedef struct {
     joint      *joint;      // [count] JOINT_NONE: a free place
     joint_rows *rows;       // [count]
-    linkage_group *group;   // [groups] what is joined to each other,
-    int        *member;     // [members] the joints of each, as they are eliminated,
-    int        *order;      // [bodies] and its bodies, from the root outwards
-    linkage_link *link;     // [links]
+    joint_role *role;       // [count]
+    linkage_step *step;     // [steps] in the order of the solve,
+    linkage_group *group;   // [groups] by what is joined,
+    int        *order;      // [bodies] with the bodies of each
+    linkage_reach *reach;   // [reaches]
+    linkage_block *block;   // [blocks]
     long long  *apart;      // [aparts] pairs of rigid bodies that do not collide,
     int         aparts;
     body_tie *tied;         // [ties] and pairs of a rope or cloth and a rigid body
     int  ties, tie_room;
     int  count, capacity, gone;     // gone: free places
-    int  groups, members, links, link_room;
+    int  steps, groups, reaches, blocks;
+    int  reach_room, block_room;
     linkage_body *body;     // [bodies]
     int  bodies;
-    bool is_plain;          // for measurements: all is solved joint by joint
+    bool is_plain;          // for measurements: all joints are solved one by one
     long frames;            // how many have begun
+    bool is_driven;         // a joint of this solve has a motor or a spring
     bool is_stale;          // a joint broke in this frame
-    bool is_backward;       // joints of what is wide are solved last to first
+    bool is_backward;       // joints that stand alone are solved last to first
     int  broken;            // joints that broke since this was set to 0
     real swing;             // rad/s, the fastest swing about a joint in the last
                             // substep

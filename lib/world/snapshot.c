@@ -87,9 +87,11 @@ static void linkage_store(linkage *l, store *s)
 {
     STORE_TABLE(s, l->joint, l->count, l->capacity);
     STORE_TABLE(s, l->rows, l->count, l->capacity);
+    STORE_ROOM(s, l->role, l->capacity);
+    STORE_ROOM(s, l->step, l->capacity);
     STORE_ROOM(s, l->group, l->capacity);
-    STORE_ROOM(s, l->member, l->capacity);
-    STORE_ROOM(s, l->link, l->link_room);
+    STORE_ROOM(s, l->reach, l->reach_room);
+    STORE_ROOM(s, l->block, l->block_room);
     STORE_ROOM(s, l->order, l->bodies);
     STORE_ROOM(s, l->apart, l->capacity);
     STORE_TABLE(s, l->tied, l->ties, l->tie_room);

@@ -134,7 +134,7 @@ static real left_of_rings(int more, bool *are_solved)
         }
         linkage_pass q = pass();
         linkage_prepare(&l, &q);
-        for (int k = 0; k < l.groups; k++) *are_solved &= !l.group[k].is_wide;
+        for (int k = 0; k < l.count; k++) *are_solved &= l.role[k] == JOINT_SOLVED;
         real before = worst_speed();
         linkage_relax(&l, &q);
         worst = real_max(worst, worst_speed() / before);

@@ -1587,9 +1587,55 @@ START_TEST(a_free_spin_keeps_energy_and_angular_momentum_at_any_rate)
 }
 END_TEST
 
+// A wheel hangs by its middle, and n rods hang round its rim.  The widest gap (m) of
+// the rods' joints in a second.
+static double widest_of_star(int n)
+{
+    tumble_world *w = tumble_world_make(NULL);
+    tumble_body wheel = tumble_body_add(w, tumble_shape_cylinder(w, 0.1, 1, 20),
+                                        tumble_body_at(0, 0, 0));
+    tumble_shape rod = tumble_shape_capsule(w, 0.2, 0.02, 0.5);
+    tumble_body hung[80];
+    double widest = 0;
+    tumble_joint_ball(w, tumble_body_ground(), wheel, tumble_v(0, 0.5, 0));
+    tumble_body_set_velocity(w, wheel, tumble_v(1, 0, 0), tumble_v(0, 0, 0));
+    for (int i = 0; i < n; i++) {
+        double a = 2 * 3.14159265358979 * i / n, x = cos(a), z = sin(a);
+        tumble_body_options o = tumble_body_at(x, -0.12, z);
+        o.mask = 0;
+        hung[i] = tumble_body_add(w, rod, o);
+        tumble_joint_ball(w, wheel, hung[i], tumble_v(x, 0, z));
+    }
+    for (int f = 0; f < 60; f++) {
+        tumble_world_step(w);
+        for (int i = 0; i < n; i++) {
+            double a = 2 * 3.14159265358979 * i / n;
+            tumble_vec3 at = tumble_pose_to_world(tumble_body_pose(w, wheel),
+                                                  tumble_v(cos(a), 0, sin(a)));
+            tumble_vec3 end = tumble_pose_to_world(tumble_body_pose(w, hung[i]),
+                                                   tumble_v(0, 0.12, 0));
+            double x = at.x - end.x, y = at.y - end.y, z = at.z - end.z;
+            widest = fmax(widest, sqrt(x * x + y * y + z * z));
+        }
+    }
+    expect_fine(w);
+    tumble_world_free(w);
+    return widest;
+}
+
+// Rejects: a system in which all joints of a body are coupled to each other, and which
+// leaves a hub of more than thirty to springs: they open by a millimetre.
+START_TEST(hub_of_many_joints_holds_them_as_it_holds_few)
+{
+    double few = widest_of_star(8), many = widest_of_star(80);
+    ck_assert_msg(few < 1e-6 && many < 1e-6, "%g m, %g m", few, many);
+}
+END_TEST
+
 int main(void)
 {
     const TTest *const tests[] = {
+        hub_of_many_joints_holds_them_as_it_holds_few,
         heavy_ball_tears_no_bridge,
         a_strong_motor_in_a_tree_of_joints_loses_no_numbers,
         a_sensor_overlaps_nothing,

@@ -264,8 +264,10 @@ static inline real wrong_length(real now, real rest, real longer)
 // A link without length, between two nails, or that the ones before it leave
 // no freedom has no pivot: its multiplier is 0.  A link shorter than about
 // L / sqrt(3) asks for no more than twice its length.
-// at: the coordinates of a row of particles, `apart` numbers from each other.  drawn: how the links have pulled; a pull of 1 stretches them by give.
-ALWAYS_INLINE void eliminate_rows(const real *restrict at, int apart, int pitch, real *restrict before,
+// at: the coordinates of a row of particles, `apart` numbers from each other.  drawn:
+// how the links have pulled; a pull of 1 stretches them by give.
+ALWAYS_INLINE void eliminate_rows(const real *restrict at, int apart, int pitch,
+                                  real *restrict before,
                                   int lanes, int old, int gives,
                                   real rest2, real half,
                                   const real *restrict drawn, real give,
@@ -306,7 +308,8 @@ ALWAYS_INLINE void eliminate_rows(const real *restrict at, int apart, int pitch,
 // Row k of eight, which give or do not: a loop for each, so that none chooses.
 // A compiler must assume that two pointers may point to the same thing; `restrict`
 // says that they do not, and is surely heard in a function of its own.
-NEVER_INLINE void eliminate_eight(const real *restrict at, int apart, int pitch, real *restrict before,
+NEVER_INLINE void eliminate_eight(const real *restrict at, int apart, int pitch,
+                                  real *restrict before,
                                   real rest2, real half,
                                   const real *restrict drawn, real give,
                                   tally *restrict t)

@@ -277,8 +277,8 @@ static bool is_one_side(vec3 a, vec3 b)
 
 // A particle leaves what does not move by the shortest way.  Its diagonals may have
 // lifted it off; if the strands will press it on, it goes back, or it would be free in
-// every second substep.  The strands will find it heavy.  By what they will move it too little along the surface for that, it is moved
-// in advance.
+// every second substep.  The strands will find it heavy.  By what they will move it
+// too little along the surface for that, it is moved in advance.
 static bool touch_fixed(const soft_frame *f, int i, surface_point at,
                         real apart, material m)
 {

@@ -601,19 +601,16 @@ static bool touch_nailed(const soft_frame *f, int i, int nailed, real apart,
     return touch_fixed(f, i, (surface_point){ at, normal }, apart, m);
 }
 
-// Two particles in touch are pushed along arms that are not one, and do not spin.  The
-// angular momentum that this takes from them their bodies get back, half of it each,
-// when the strands are solved.
+// Two particles of a body that touch are pushed along arms that are not one, and do not
+// spin.  The angular momentum that this takes from them their body gets back when its
+// strands are solved.
 static void owe_angular(const soft_frame *f, particle_contact c, vec3 was)
 {
     const particle *a = &f->particle[c.a], *b = &f->particle[c.b];
-    if (a->inverse_mass == 0 || b->inverse_mass == 0) return;
-    if (f->owner[c.a] != f->owner[c.b]) return;
+    vec3 *owed = &f->owed[f->owner[c.a]];
+    if (f->owner[c.a] != f->owner[c.b] || !(a->inverse_mass > 0)) return;
     vec3 push = vec3_scale(1 / a->inverse_mass, vec3_sub(a->position, was));
-    vec3 half = vec3_scale(0.5, vec3_cross(push, vec3_sub(a->previous, b->previous)));
-    vec3 *one = &f->owed[f->owner[c.a]], *other = &f->owed[f->owner[c.b]];
-    *one = vec3_add(*one, half);
-    *other = vec3_add(*other, half);
+    *owed = vec3_add(*owed, vec3_cross(push, vec3_sub(a->previous, b->previous)));
 }
 
 real touch_part(const soft_frame *f, particle_contact c, real friction)

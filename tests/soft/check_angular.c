@@ -59,8 +59,8 @@ static void pull_pairs(int n, real size)
     }
 }
 
-// Rejects: arms of now in the place of those of a step ago; a turn about another
-// point than the centre of mass; a matrix that is taken for a symmetric one.
+// Rejects: a matrix with the arms of now in the place of those of a step ago; a turn
+// about another point than the centre of mass.
 START_TEST(what_pulls_have_taken_is_given_back)
 {
     for (int round = 0; round < 300; round++) {
